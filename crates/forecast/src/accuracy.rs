@@ -26,9 +26,10 @@ fn of_star(star: &StarPrediction, detail: Option<Detail>) -> Option<f64> {
     let force = star.object_force_N.filter(|force| *force > 0.0);
     let of_force = |error: Option<f64>| force.map_or(Some(0.0), |_| error);
     let errors = if let Some((mesh, detail)) = star.evidence.mesh_errors.as_ref().zip(detail) {
-        let least = least_errors(detail);
-        let of_radius = (mesh.final_radius_mm / radius).max(least.radius);
-        let error = force.zip(mesh.object_force_N).map(|(force, error)| (error / force).max(least.force));
+        let smallest_errors = least_errors(detail);
+        let of_radius = (mesh.final_radius_mm / radius).max(smallest_errors.radius);
+        let error =
+            force.zip(mesh.object_force_N).map(|(force, error)| (error / force).max(smallest_errors.force));
         [Some(of_radius), of_force(error)]
     } else {
         let error = force.zip(ranges.object_force_N).map(|(force, range)| of_range(force, range));

@@ -185,7 +185,7 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
     let hinge = actuator.hinge();
     let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);
-    let ranges = ranges(actuator, model, &rest, angle);
+    let stated_ranges = ranges(actuator, model, &rest, angle);
     let moments = angles.iter().map(|phi| {
         let state = hinge.state_at(model, *phi)?;
         Ok([phi.to_degrees(), -hinge.moment(pressure, &state)])
@@ -200,14 +200,14 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
         volume_mm3: None,
         stiffness_Nm: hinge.stiffness(pressure, &rest),
         moment: (!angles.is_empty()).then_some(moments),
-        ranges: ranges.unwrap_or_default(),
+        ranges: stated_ranges.unwrap_or_default(),
         evidence: ActuatorEvidence {
             residual: rest.effort.residual,
             iterations: rest.effort.iterations,
             numerical_error: rest.effort.error,
             mesh_errors: None,
             unknowns: None,
-            warnings: warnings(actuator, model, angle, ranges.is_some()),
+            warnings: warnings(actuator, model, angle, stated_ranges.is_some()),
         },
     })
 }
@@ -221,16 +221,16 @@ fn ranges(
 ) -> Option<ActuatorRanges> {
     let Actuator { width, arm, pressure, .. } = *actuator;
     let hinge = actuator.hinge();
-    let within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
-    let tried = within(arm / width, errors::ACTUATOR_ARM)
-        && within(hinge.arc().to_degrees(), errors::ARC)
+    let is_within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
+    let is_validated = is_within(arm / width, errors::ACTUATOR_ARM)
+        && is_within(hinge.arc().to_degrees(), errors::ARC)
         && model.level() == Level::Section
         && model.arms(hinge.r_star, hinge.arc()).is_some()
         && actuator.sheet.thickness / width >= errors::SLENDERNESS_REACHED[0];
     let slender = actuator.sheet.thickness / width;
     let angles = errors::actuator(slender).map(|error| angle + error);
     let stiffness = hinge.stiffness(pressure, rest);
-    tried.then(|| ActuatorRanges {
+    is_validated.then(|| ActuatorRanges {
         angle_deg: Some(angles.map(f64::to_degrees)),
         coiling: Some([angles[1], angles[0]].map(|angle| hinge.coiling(angle))),
         stiffness_Nm: Some(scaled(errors::hinge(slender), stiffness)),

@@ -141,30 +141,30 @@ impl Candidate {
         })
     }
 
-    /// The answer with the outcome from `known`, which gives the case its model's corrections; `None` where the model does not cover it.
+    /// The answer with the outcome from `outcome_of`, which gives the case its model's corrections; `None` where the model does not cover it.
     ///
     /// # Errors
     /// The errors of [`Candidate::answer`].
     pub(super) fn answer_by(
         &self,
         ring: &RingTable,
-        known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
+        outcome_of: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
         let star = Star::for_band(&self.star, self.seal.band)?;
         let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?
             .above_plate(Some(opening([self.star.inner_radius.0], self.clearance.0)));
-        let met = self.different_cases(&star, &case)?;
-        let mut case = met.first().map_or(case, |(case, _)| *case);
-        let outcome = known(&mut case)?;
+        let cases = self.different_cases(&star, &case)?;
+        let mut case = cases.first().map_or(case, |(case, _)| *case);
+        let outcome = outcome_of(&mut case)?;
         let mut grip = outcome;
         let mut payload = payload_of_equal(outcome.as_ref(), self.stars);
-        if !met.is_empty() {
-            let met = met
+        if !cases.is_empty() {
+            let answers = cases
                 .into_iter()
-                .map(|(mut case, slopes)| Ok((case.object.unwrap_or(0.0), slopes, known(&mut case)?)));
-            let all = met.collect::<Result<Vec<_>, StarFault>>()?;
-            grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
-            let bearers: Vec<Bearers> = all
+                .map(|(mut case, slopes)| Ok((case.object.unwrap_or(0.0), slopes, outcome_of(&mut case)?)));
+            let bearing_stars = answers.collect::<Result<Vec<_>, StarFault>>()?;
+            grip = bearing_stars.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
+            let bearers: Vec<Bearers> = bearing_stars
                 .into_iter()
                 .map(|(_, slopes, outcome)| Bearers::of_outcome(outcome.as_ref(), slopes))
                 .collect();
@@ -185,21 +185,21 @@ impl Candidate {
         })
     }
 
-    /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `asked`, the
+    /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `base_case`, the
     /// case of `star`.
-    fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
+    fn different_cases(&self, star: &Star, base_case: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
         let object = Object::new(&self.load).filter(|_| self.stars > 1);
         if self.unequal.is_empty() {
             let meetings = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
             return Ok(meetings
                 .into_iter()
-                .map(|(meeting, slopes)| (asked.meeting(Some(meeting)), slopes))
+                .map(|(meeting, slopes)| (base_case.meeting(Some(meeting)), slopes))
                 .collect());
         }
-        let made = |(i, one): (usize, &StarSpec)| {
+        let star_of = |(i, one): (usize, &StarSpec)| {
             Star::for_band(one, self.seal.band).map_err(|refusal| refusal.of_star(i + 1))
         };
-        let stars = self.unequal.iter().enumerate().map(made).collect::<Result<Vec<Star>, _>>()?;
+        let stars = self.unequal.iter().enumerate().map(star_of).collect::<Result<Vec<Star>, _>>()?;
         let mut heights = vec![0.0];
         for star in self.unequal.iter().skip(1) {
             heights.push(heights[heights.len() - 1] + star.pitch.0);
@@ -208,10 +208,10 @@ impl Candidate {
         let meetings = object.map(|object| object.meetings(&heights, &holes));
         let case = |(i, star): (usize, &Star)| {
             let neighbours = self.unequal.iter().take(i + 1).skip(i.saturating_sub(1));
-            let opening = opening(neighbours.map(|star| star.inner_radius.0), self.clearance.0);
+            let plate_opening = opening(neighbours.map(|star| star.inner_radius.0), self.clearance.0);
             let meeting = meetings.as_ref().and_then(|meetings| meetings.get(i)).copied();
             let case =
-                Case::new(star, &self.fabric, &self.seal, Some(&self.load))?.above_plate(Some(opening));
+                Case::new(star, &self.fabric, &self.seal, Some(&self.load))?.above_plate(Some(plate_opening));
             Ok((case.meeting(meeting), vec![meeting.map_or(0.0, |meeting| meeting.slope)]))
         };
         stars.iter().enumerate().map(case).collect()
@@ -234,9 +234,9 @@ impl Candidate {
         }
     }
 
-    /// Whether all of its stars are as `star`, whose case is `asked`, and meet the object at its middle radius.
-    pub fn are_alike(&self, star: &Star, asked: &Case) -> bool {
-        self.different_cases(star, asked).is_ok_and(|cases| cases.is_empty())
+    /// Whether all of its stars are as `star`, whose case is `base_case`, and meet the object at its middle radius.
+    pub fn are_alike(&self, star: &Star, base_case: &Case) -> bool {
+        self.different_cases(star, base_case).is_ok_and(|cases| cases.is_empty())
     }
 
     /// The most stars of a stack that is not taller than its object, at least 1.
@@ -310,21 +310,21 @@ mod tests {
         let radii = [[0.0, 0.0], [2.0, 0.0], [0.0, 3.0], [1.5, 2.5]];
         let models = [spec::ModelChoice::Ring, spec::ModelChoice::Auto];
         for (radii, model) in radii.into_iter().flat_map(|radii| models.map(|model| (radii, model))) {
-            let mut spec = spec(radii);
-            spec.accuracy.model = model;
-            let design = Design::new(&spec, &machine).expect("makeable");
-            let full = predict(&spec, &design).expect("predictable");
-            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let mut gripper = spec(radii);
+            gripper.accuracy.model = model;
+            let design = Design::new(&gripper, &machine).expect("makeable");
+            let full = predict(&gripper, &design).expect("predictable");
+            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
             let mass = fast.fabric.map(|area| area * 0.27e-3);
             let stated = |value: Option<f64>| value.expect("asked for");
             let outcome = fast.outcome.expect("a limit");
-            let [least, most] = outcome.graspable.map(|metres| Length::from_metres(metres).0);
+            let [smallest, largest] = outcome.graspable.map(|metres| Length::from_metres(metres).0);
             let first = &full.first;
             let pairs = [
                 (fast.star.l, first.arm_length_mm),
                 (outcome.contraction, stated(first.contraction)),
-                (least, stated(first.final_radius_mm)),
-                (most, first.graspable_radius_mm.expect("a limit")[1]),
+                (smallest, stated(first.final_radius_mm)),
+                (largest, first.graspable_radius_mm.expect("a limit")[1]),
                 (fast.operating_pressure.0, first.operating_pressure_kPa),
                 (stated(outcome.stiffness), stated(first.radial_stiffness_N_per_m)),
                 (stated(outcome.object_force()), stated(first.object_force_N)),
@@ -346,17 +346,17 @@ mod tests {
         let machine = spec::read_machine(&profile).expect("valid");
         let table = RingTable::new().expect("solved");
         for (radius, shape) in [(45.0, None), (49.0, None), (40.0, Some(spec::ObjectShape::Cylinder))] {
-            let mut spec = spec([0.0, 0.0]);
-            spec.accuracy.model = spec::ModelChoice::Auto;
-            spec.stars[1].inner_radius = Length(55.0);
-            spec.stars[2] =
-                StarSpec { inner_radius: Length(60.0), pitch: Length(34.0), ..spec.stars[2].clone() };
-            let load = spec.load.as_mut().expect("given");
+            let mut gripper = spec([0.0, 0.0]);
+            gripper.accuracy.model = spec::ModelChoice::Auto;
+            gripper.stars[1].inner_radius = Length(55.0);
+            gripper.stars[2] =
+                StarSpec { inner_radius: Length(60.0), pitch: Length(34.0), ..gripper.stars[2].clone() };
+            let load = gripper.load.as_mut().expect("given");
             (load.object_radius, load.object_height, load.object_shape) =
                 (Some(Length(radius)), Some(Length(150.0)), shape);
-            let design = Design::new(&spec, &machine).expect("makeable");
-            let full = predict(&spec, &design).expect("predictable").first;
-            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let design = Design::new(&gripper, &machine).expect("makeable");
+            let full = predict(&gripper, &design).expect("predictable").first;
+            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
             let force = fast.outcome.expect("known").object_force();
             assert_eq!(force.is_some(), full.object_force_N.is_some(), "{radius}");
             let [range, of_full] =
@@ -380,14 +380,14 @@ mod tests {
         let machine = spec::read_machine(&profile).expect("valid");
         let table = RingTable::new().expect("solved");
         for (radius, pitch) in [(30.0, 40.0), (40.0, 25.0), (44.0, 25.0)] {
-            let mut spec = spec([0.0, 0.0]);
-            spec.accuracy.model = spec::ModelChoice::Auto;
-            spec.stars.iter_mut().for_each(|star| star.pitch = Length(pitch));
-            let load = spec.load.as_mut().expect("given");
+            let mut gripper = spec([0.0, 0.0]);
+            gripper.accuracy.model = spec::ModelChoice::Auto;
+            gripper.stars.iter_mut().for_each(|star| star.pitch = Length(pitch));
+            let load = gripper.load.as_mut().expect("given");
             (load.object_radius, load.object_height, load.object_shape) = (Some(Length(radius)), None, None);
-            let design = Design::new(&spec, &machine).expect("makeable");
-            let full = predict(&spec, &design).expect("predictable");
-            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let design = Design::new(&gripper, &machine).expect("makeable");
+            let full = predict(&gripper, &design).expect("predictable");
+            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
             let radii: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
             let end = f64::max(radius * radius - pitch * pitch, 0.0).sqrt();
             assert!(

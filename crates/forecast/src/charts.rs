@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::interval::{Interval, mm};
 use crate::model_selection::{corrected, named_limit, of_spec};
 use crate::outcome::Outcome;
-use crate::pose::{Pose, at_angle, held};
+use crate::pose::{Pose, at_angle, holding_angle};
 use design::{Design, Meeting, PlacedPart, Star};
 use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
@@ -142,13 +142,13 @@ impl Question<'_> {
         }
         let rest = outcome.rest.angle;
         let object = case.object.map(Length::from_metres);
-        let shown = held(&case.mechanism, rest, object).unwrap_or(rest);
+        let tip_angle = holding_angle(&case.mechanism, rest, object).unwrap_or(rest);
         Some(AtPressure {
             pressure_kPa: Pressure::from_pascals(pressure).0,
             final_radius_mm: Length::from_metres(outcome.rest.radius).0,
             radius_range_mm: outcome.ranges.radius.map(mm),
             object_force_N: outcome.object_force(),
-            pose: Pose::of(&at_angle(self.star, &case.mechanism, shown)),
+            pose: Pose::of(&at_angle(self.star, &case.mechanism, tip_angle)),
         })
     }
 
@@ -158,12 +158,16 @@ impl Question<'_> {
         let case = corrected(&self.case, &*model).ok()?;
         let inflated = Inflated::new(&case.mechanism, &*model, pressure).ok()?;
         let linear = Outcome::linear(&case, &inflated);
-        let [least, most] = linear.graspable;
+        let [smallest, largest] = linear.graspable;
         // The arms lock where the star opens widest.
-        let most = if most < linear.rest.widest.radius { most } else { least + SHOWN * (most - least) };
+        let largest_shown = if largest < linear.rest.widest.radius {
+            largest
+        } else {
+            smallest + SHOWN * (largest - smallest)
+        };
         let with_radius = |k: u32| {
-            let rho = least + (most - least) * f64::from(k) / f64::from(RADII);
-            let outcome = Outcome::linear(&case.around(rho.min(most)), &inflated);
+            let rho = smallest + (largest_shown - smallest) * f64::from(k) / f64::from(RADII);
+            let outcome = Outcome::linear(&case.around(rho.min(largest_shown)), &inflated);
             Some(AtRadius {
                 radius_mm: Length::from_metres(rho).0,
                 force_N: outcome.object_force()?,
@@ -173,12 +177,17 @@ impl Question<'_> {
         Some((0..=RADII).filter_map(with_radius).collect())
     }
 
-    fn by_points(&self, spec: &Spec, asked: &StarSpec, meeting: Option<Meeting>) -> Option<Vec<AtPoints>> {
+    fn by_points(
+        &self,
+        spec: &Spec,
+        star_spec: &StarSpec,
+        meeting: Option<Meeting>,
+    ) -> Option<Vec<AtPoints>> {
         let pressure = self.case.pressure?;
         // Targets hang on R*, the pressure and the width, not on how many hinges there are.
         let model = self.model(pressure)?;
         let with_points = |points: u32| {
-            let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
+            let star = Star::new(&StarSpec { points, inlet_tip: 1, ..star_spec.clone() }).ok()?;
             let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?.meeting(meeting), &*model).ok()?;
             outcome.known.then(|| AtPoints {
                 points,
@@ -187,7 +196,7 @@ impl Question<'_> {
                 object_force_N: outcome.object_force(),
             })
         };
-        let further = std::iter::once(asked.points).filter(|points| !POINTS.contains(points));
+        let further = std::iter::once(star_spec.points).filter(|points| !POINTS.contains(points));
         Some(POINTS.chain(further).filter_map(with_points).collect())
     }
 }

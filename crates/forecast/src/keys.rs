@@ -38,8 +38,8 @@ pub struct Key {
 
 impl Key {
     /// The key `name` with values of type `T`.
-    pub(super) const fn new<T: KeyType>(name: &'static str, about: &'static str) -> Self {
-        Self { name, kind: T::KIND, always: T::ALWAYS, about: about.trim_ascii() }
+    pub(super) const fn new<T: KeyType>(name: &'static str, meaning: &'static str) -> Self {
+        Self { name, kind: T::KIND, always: T::ALWAYS, about: meaning.trim_ascii() }
     }
 }
 

@@ -26,10 +26,10 @@ pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPredict
     let gap = star.object_gap_mm.filter(|gap| *gap < -ROUNDING)?;
     let hole = star.hole_radius_mm;
     // One that enters may still be wider than the inflated star opens.
-    let widest = match held(star) {
+    let widest = match held_sizes(star) {
         HeldSizes::Radii([_, most]) => {
-            let (load, there) = (spec.load.as_ref()?, star.object_radius_mm?);
-            Some(hole.min(Object::widest_for(load, there, most)))
+            let (load, radius) = (spec.load.as_ref()?, star.object_radius_mm?);
+            Some(hole.min(Object::widest_for(load, radius, most)))
         }
         HeldSizes::None => None,
         HeldSizes::Unknown => Some(hole),
@@ -49,7 +49,7 @@ pub(super) enum HeldSizes {
 }
 
 /// The objects that `star` surely holds. Models without ranges hold all that they reach.
-pub(super) fn held(star: &StarPrediction) -> HeldSizes {
+pub(super) fn held_sizes(star: &StarPrediction) -> HeldSizes {
     match (star.graspable_radius_mm, star.ranges.final_radius_mm) {
         (None, _) => HeldSizes::Unknown,
         (Some(radii), None) => HeldSizes::Radii(radii),
@@ -72,10 +72,10 @@ pub(super) fn too_short(load: &Load) -> Refusal {
     )
 }
 
-/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner than those that are `held`.
-pub(super) fn too_thin(load: &Load, object: f64, least: f64, held: HeldSizes) -> Refusal {
+/// The star closes to `smallest` (mm) at the least, and the object of radius `object` is thinner than the held `sizes`.
+pub(super) fn too_thin(load: &Load, object: f64, smallest: f64, sizes: HeldSizes) -> Refusal {
     let closer = "a star that closes further: a smaller inner_radius";
-    let remedy = match held {
+    let remedy = match sizes {
         HeldSizes::Radii([wanted, _]) => format!("{}, or {closer}", at_least(load, object, wanted)),
         HeldSizes::None | HeldSizes::Unknown => format!("{NONE_HELD}; {closer}"),
     };
@@ -85,23 +85,23 @@ pub(super) fn too_thin(load: &Load, object: f64, least: f64, held: HeldSizes) ->
         format!(
             "the inflated star closes to {} mm across at the least, and the object is {} mm across there: its corners do \
              not reach it",
-            Least(2.0 * least),
+            Least(2.0 * smallest),
             Most(2.0 * object)
         ),
         remedy,
     )
 }
 
-/// That the object, of radius `object` (mm) at a star, would have to have the radius `wanted` there, in the words of its key.
-fn at_least(load: &Load, object: f64, wanted: f64) -> String {
-    let wanted = Object::widest_for(load, object, wanted);
-    size(load, [Least(2.0 * wanted).to_string(), Least(wanted).to_string()], "at least")
+/// That the object, of radius `object` (mm) at a star, would have to have the radius `needed_radius` there, in the words of its key.
+fn at_least(load: &Load, object: f64, needed_radius: f64) -> String {
+    let widest = Object::widest_for(load, object, needed_radius);
+    size(load, [Least(2.0 * widest).to_string(), Least(widest).to_string()], "at least")
 }
 
 /// `star` may press on the object of radius `object` (mm) with no force, in words.
 pub(super) fn may_not_press(load: &Load, star: &StarPrediction, object: f64) -> Option<String> {
     let _ = star.ranges.object_force_N.filter(|[low, _]| *low <= 0.0)?;
-    let surely = match held(star) {
+    let surely = match held_sizes(star) {
         HeldSizes::Radii([wanted, _]) if wanted > object => {
             format!("an object of {} is surely held", at_least(load, object, wanted))
         }
@@ -112,14 +112,14 @@ pub(super) fn may_not_press(load: &Load, star: &StarPrediction, object: f64) -> 
 
 const NONE_HELD: &str = "its range is too wide to promise any size of object";
 
-/// The star opens to `most` (mm) and the object of radius `object` is wider than those that are `held`.
-pub(super) fn too_wide_to_open(load: &Load, object: f64, most: f64, held: HeldSizes) -> Refusal {
+/// The star opens to `largest` (mm) and the object of radius `object` is wider than the held `sizes`.
+pub(super) fn too_wide_to_open(load: &Load, object: f64, largest: f64, sizes: HeldSizes) -> Refusal {
     let wider = "a larger inner_radius, fewer points or a smaller tube_width";
-    let remedy = match held {
-        HeldSizes::Radii([least, most]) => format!(
+    let remedy = match sizes {
+        HeldSizes::Radii([smallest, largest_held]) => format!(
             "from {} to {} mm across; or {wider}",
-            Least(2.0 * Object::widest_for(load, object, least)),
-            Most(2.0 * Object::widest_for(load, object, most))
+            Least(2.0 * Object::widest_for(load, object, smallest)),
+            Most(2.0 * Object::widest_for(load, object, largest_held))
         ),
         HeldSizes::None | HeldSizes::Unknown => format!("{NONE_HELD}; {wider}"),
     };
@@ -128,7 +128,7 @@ pub(super) fn too_wide_to_open(load: &Load, object: f64, most: f64, held: HeldSi
         RefusalCode::ObjectTooWide,
         format!(
             "the inflated star opens to {} mm across and does not close around the object, which is {} mm across there",
-            Most(2.0 * most),
+            Most(2.0 * largest),
             Least(2.0 * object)
         ),
         remedy,
@@ -136,11 +136,11 @@ pub(super) fn too_wide_to_open(load: &Load, object: f64, most: f64, held: HeldSi
 }
 
 /// A limit of the object's size in the words of the key that gave it: diameter and radius.
-fn size(load: &Load, [across, radius]: [String; 2], limit: &str) -> String {
+fn size(load: &Load, [diameter, radius]: [String; 2], limit: &str) -> String {
     if load.size_key() == key::load::OBJECT_RADIUS {
         format!("{limit} {radius} mm of radius")
     } else {
-        format!("{limit} {across} mm across")
+        format!("{limit} {diameter} mm across")
     }
 }
 
@@ -155,12 +155,12 @@ pub(super) fn may_burst(star: &StarPrediction) -> Option<String> {
 pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let _ = star.evidence.bursting.filter(|one| *one == Bursting::Yes)?;
     let (pressure, burst, range) = (load.pressure?, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa);
-    let less = star.evidence.safe_pressure_kPa.map(|kpa| format!("at most {} kPa", Most(kpa)));
+    let lower_pressure = star.evidence.safe_pressure_kPa.map(|kpa| format!("at most {} kPa", Most(kpa)));
     let round = star.evidence.safe_radius_mm;
     let round = round.map(|mm| format!("tip_radius and corner_radius of at least {}", Length(mm)));
     let finding = bursts_at(pressure, burst, range);
     let other = "a stronger seal or a smaller tube_width".to_owned();
-    let remedy = [less, round, Some(other)].into_iter().flatten().collect::<Vec<_>>().join(", or ");
+    let remedy = [lower_pressure, round, Some(other)].into_iter().flatten().collect::<Vec<_>>().join(", or ");
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, finding, remedy))
 }
 
@@ -178,20 +178,26 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
     )
 }
 
-/// All stars press with `low` to `high` N together and carry `payload`, and friction needs `needed` N to hold the mass of `load`.
-pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64, payload: StackPayload) -> Refusal {
-    let [needed, high] = apart(needed, high);
-    let finding = format!("friction needs {needed} N, but at most {high} N are predicted");
+/// All stars press with `low` to `high` N together and carry `payload`, and friction needs `needed_force` N to hold the mass of `load`.
+pub(super) fn too_heavy(
+    load: &Load,
+    [low, high]: Interval,
+    needed_force: f64,
+    payload: StackPayload,
+) -> Refusal {
+    let [needed_text, high] = apart(needed_force, high);
+    let finding = format!("friction needs {needed_text} N, but at most {high} N are predicted");
     let mut ways = Vec::new();
     if let Some((_, mass)) = load.friction_range().zip(load.mass) {
         ways.extend(lighter(payload));
-        let wanted = if low > 0.0 { (100.0 * mass.0 * GRAVITY / low).ceil() / 100.0 } else { f64::INFINITY };
-        if wanted <= COATED {
+        let needed_friction =
+            if low > 0.0 { (100.0 * mass.0 * GRAVITY / low).ceil() / 100.0 } else { f64::INFINITY };
+        if needed_friction <= COATED {
             let ends = [(load.friction_least, "friction_least"), (load.friction_most, "friction_most")];
             let ends = ends.into_iter().filter(|(end, _)| end.is_some());
-            let also: String = ends.flat_map(|(_, key)| [", ", key, " too"]).collect();
+            let other_keys: String = ends.flat_map(|(_, key)| [", ", key, " too"]).collect();
             ways.push(format!(
-                "a friction of at least {wanted}{also}: silicone-coated corners reach about 1"
+                "a friction of at least {needed_friction}{other_keys}: silicone-coated corners reach about 1"
             ));
         }
     }
@@ -201,10 +207,10 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64, payload
 
 /// `stars` press hard enough for friction, but carry only `payload`, which is less than the mass of `load`.
 pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> Refusal {
-    let [mass, most] =
+    let [mass, payload_text] =
         apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[1]));
-    let why = limit_in_words(load, stars, payload, 1).unwrap_or_default();
-    let finding = format!("they carry at most {most} kg of the {mass} kg: {why}");
+    let reason = limit_in_words(load, stars, payload, 1).unwrap_or_default();
+    let finding = format!("they carry at most {payload_text} kg of the {mass} kg: {reason}");
     let other = "more stars, of which those at and below the object's middle press hardest; a wider tube with more pressure; or a smaller \
                  clearance in [frame]";
     let ways: Vec<String> = lighter(payload).into_iter().chain([other.to_owned()]).collect();
@@ -213,17 +219,17 @@ pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload
 
 /// `stars` press hard enough for friction, but may carry less than the mass of `load`: `payload`. In words.
 pub(super) fn may_be_too_heavy(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> String {
-    let [mass, least] =
+    let [mass, payload_text] =
         apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[0]));
-    let why = limit_in_words(load, stars, payload, 0).unwrap_or_default();
-    format!("they may carry only {least} kg of the {mass} kg: {why}")
+    let reason = limit_in_words(load, stars, payload, 0).unwrap_or_default();
+    format!("they may carry only {payload_text} kg of the {mass} kg: {reason}")
 }
 
 /// The mass that stars of this `payload` surely carry, rounded down to the gram, as a remedy; `None` below a gram.
 fn lighter(payload: StackPayload) -> Option<String> {
-    let [sure, _] = payload.range_kg?;
+    let [safe, _] = payload.range_kg?;
     // Rounded values still hold.
-    let grams = (1e3 * sure).floor();
+    let grams = (1e3 * safe).floor();
     (grams > 0.0).then(|| format!("a mass of at most {}", Mass(grams / 1e3)))
 }
 
@@ -240,13 +246,14 @@ pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) ->
         let key = if is_known { key::star::TUBE_WIDTH } else { key::fabric::POISSON_RATIO };
         return refusal(key, star.evidence.choice.clone(), remedy.to_owned());
     };
-    let meant = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));
+    let likely_pressure = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));
     let slip = pressure.0 > SLIP * high || pressure.0 < low / SLIP;
-    let meant =
-        meant.filter(|_| slip).map_or_else(String::new, |kpa| format!("did you mean {}? ", Pressure(kpa)));
+    let suggestion = likely_pressure
+        .filter(|_| slip)
+        .map_or_else(String::new, |kpa| format!("did you mean {}? ", Pressure(kpa)));
     refusal(
         key::load::PRESSURE,
         format!("no model covers this star at {pressure}"),
-        format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
+        format!("{suggestion}it is modelled from {} to {} kPa", Least(low), Most(high)),
     )
 }

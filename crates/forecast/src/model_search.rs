@@ -44,11 +44,12 @@ impl AccuracySearch {
 
     /// The warning that no model states so small an error; `None` if one does.
     pub fn warning(&self) -> Option<String> {
-        let least = self.trials.iter().filter_map(|trial| trial.error).reduce(f64::min);
-        let least = least.map_or_else(|| "unknown".to_owned(), |least| format!("{} %", percent(least)));
+        let smallest_error = self.trials.iter().filter_map(|trial| trial.error).reduce(f64::min);
+        let error_text = smallest_error
+            .map_or_else(|| "unknown".to_owned(), |smallest_error| format!("{} %", percent(smallest_error)));
         (!self.met).then(|| {
             format!(
-                "no model states an error of at most {} %: the least is {least}",
+                "no model states an error of at most {} %: the least is {error_text}",
                 rounded(100.0 * self.requested)
             )
         })

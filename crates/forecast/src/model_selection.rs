@@ -72,8 +72,8 @@ pub fn correct_by(
 
 /// The limit of high pressure selected by name; `None` where stars are predicted by [`tabled`]: for `section`, whose residuals and
 /// ranges belong to the table, for `auto`, and for shells, because a build's files are the same on every machine, and shells are not.
-pub fn named_limit(chosen: ModelChoice) -> Option<Level> {
-    match chosen {
+pub fn named_limit(choice: ModelChoice) -> Option<Level> {
+    match choice {
         ModelChoice::Fit => Some(Level::Fit),
         ModelChoice::Ring => Some(Level::Ring),
         ModelChoice::Bvp => Some(Level::Bvp),
@@ -107,12 +107,12 @@ pub fn hinge_model(
     })
 }
 
-/// The model that `chosen` selects for the star of `case` at the gauge pressure `pressure` (Pa).
+/// The model that `choice` selects for the star of `case` at the gauge pressure `pressure` (Pa).
 ///
 /// # Errors
 /// If it does not cover the star.
-pub fn of_spec(chosen: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
-    match named_limit(chosen) {
+pub fn of_spec(choice: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
+    match named_limit(choice) {
         Some(level) => hinge_model(level, &case.sheet, Some(pressure), case.mechanism.width),
         None => Ok(Box::new(tabled(case, pressure)?)),
     }
@@ -155,8 +155,8 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
         for r_star in r_stars {
             let (target, stiffness) = fit::covers(r_star);
             if !target || !stiffness {
-                let what = if stiffness { "target coiling was" } else { "constants were" };
-                warnings.push(format!("the published {what} not given for R* = {r_star:.4}"));
+                let subject = if stiffness { "target coiling was" } else { "constants were" };
+                warnings.push(format!("the published {subject} not given for R* = {r_star:.4}"));
             }
         }
         warnings.dedup();

@@ -5,7 +5,7 @@ use crate::folding::until_arms_fold;
 use crate::interval::Interval;
 use crate::model_selection::{correct, tabled};
 use crate::ranges::errors::OPENING_REACHED;
-use crate::ranges::{Domain, Ranges, grown, pressure_edge};
+use crate::ranges::{Domain, Ranges, pressure_edge, scaled_floor};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::star::grasp::Grasp;
@@ -192,14 +192,14 @@ impl Outcome {
             Self::linear(&case, inflated).force_range
         };
         let presses = |rho: f64| range(rho).is_some_and(|[low, _]| low > 0.0);
-        let [least, most] = self.graspable;
+        let [smallest, largest] = self.graspable;
         // Where shells were not opened so far, there is no range.
-        let widest = if range(most).is_some() {
-            most
+        let widest = if range(largest).is_some() {
+            largest
         } else {
-            last_holding(least, most, ROUNDS, |rho| range(rho).is_some())
+            last_holding(smallest, largest, ROUNDS, |rho| range(rho).is_some())
         };
-        presses(widest).then(|| [last_holding(widest, least, ROUNDS, presses), widest])
+        presses(widest).then(|| [last_holding(widest, smallest, ROUNDS, presses), widest])
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
@@ -213,9 +213,9 @@ impl Outcome {
     ) -> Interval {
         let floor = || {
             let (edge, force) = (edge?, self.object_force()?);
-            let ([floor, _], there) = (edge.force_range?, edge.object_force()?);
+            let ([floor, _], edge_force) = (edge.force_range?, edge.object_force()?);
             let room = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
-            Some(grown(floor, there, force) * (room / (FADING * width)).clamp(0.0, 1.0))
+            Some(scaled_floor(floor, edge_force, force) * (room / (FADING * width)).clamp(0.0, 1.0))
         };
         [low.max(floor().unwrap_or(0.0)), high]
     }
@@ -282,29 +282,29 @@ impl Outcome {
 
     /// A warning about the object, if there is one.
     pub fn object_warning(&self, case: &Case) -> Option<String> {
-        let (least, most) = (self.rest.radius, self.rest.widest.radius);
-        let across = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
+        let (smallest, largest) = (self.rest.radius, self.rest.widest.radius);
+        let diameter_text = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
         match self.hold? {
             Grip::Held(_) => self.locks(case).then(|| {
                 format!(
                     "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
                      predicted force grows without bound",
-                    across(most)
+                    diameter_text(largest)
                 )
             }),
             Grip::TooThin => Some(format!(
                 "the object is thinner than the closed star, {}: the star does not reach it",
-                across(least)
+                diameter_text(smallest)
             )),
             Grip::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
             Grip::TooWideToEnter => Some(format!(
                 "the object is wider than the cut hole, {}: it does not enter",
-                across(case.hole)
+                diameter_text(case.hole)
             )),
             Grip::TooWideToOpen => Some(format!(
                 "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
                  close around it; a larger inner radius, fewer points or a narrower tube open it wider",
-                across(most)
+                diameter_text(largest)
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried => Some(
@@ -320,9 +320,9 @@ impl Outcome {
         if case.mechanism.correction.corner_compliance {
             return false;
         }
-        let (least, most) = (self.rest.radius, self.rest.widest.radius);
+        let (smallest, largest) = (self.rest.radius, self.rest.widest.radius);
         let slope = |phi: f64| case.mechanism.radius(phi).slope;
-        let is_near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
+        let is_near = case.object.is_some_and(|rho| largest - rho < LOCKING * (largest - smallest));
         is_near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
     }
 }

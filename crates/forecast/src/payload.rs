@@ -88,11 +88,11 @@ pub(super) fn stack_payload(load: &Load, bearers: &[Bearers]) -> StackPayload {
         };
         // Errors of a stack's forces are the same: all are at one end. Between them the mass is concave in the forces, because arms fold:
         // it is least at an end, and each star's most bounds the most.
-        let reached = |bearer: &Bearers| {
+        let highest_force = |bearer: &Bearers| {
             let [low, high] = bearer.force.1?.map(|force| bearer.borne(most, force));
             Some(low.max(high))
         };
-        let highest = bearers.iter().map(reached).sum::<Option<f64>>()?;
+        let highest = bearers.iter().map(highest_force).sum::<Option<f64>>()?;
         Some([borne(least, 0)?.min(borne(least, 1)?).clamp(0.0, low), highest.clamp(0.0, high)])
     });
     StackPayload { kg, range_kg }
@@ -106,10 +106,10 @@ pub(super) fn limit_in_words(
     payload: StackPayload,
     end: usize,
 ) -> Option<String> {
-    let (friction, most) = (load.friction_range()?[end], payload.range_kg?[end]);
+    let (friction, payload_end) = (load.friction_range()?[end], payload.range_kg?[end]);
     let upright = sum(stars.iter().map(|star| star.ranges.payload_kg))?[end];
     let forces = sum(stars.iter().map(|star| star.ranges.object_force_N))?[end];
-    let slides = most < upright * (1.0 - ROUNDING);
+    let slides = payload_end < upright * (1.0 - ROUNDING);
     let folds = upright < friction * forces / GRAVITY * (1.0 - ROUNDING);
     match (slides, folds) {
         (false, false) => None,
@@ -154,7 +154,7 @@ mod tests {
 
     /// Stars with these forces, N, of 20 % error, on these slopes; their arms wrinkle under `wrinkling` kg.
     fn bearers(forces: &[f64], slopes: &[f64], friction: f64, wrinkling: Option<f64>) -> Vec<Bearers> {
-        let of = |(force, slope): (&f64, &f64)| {
+        let bearers_of = |(force, slope): (&f64, &f64)| {
             let upright = |force: f64| until_arms_fold(friction * force / GRAVITY, wrinkling);
             let range = [0.8 * force, 1.2 * force];
             Bearers {
@@ -164,7 +164,7 @@ mod tests {
                 wrinkling,
             }
         };
-        forces.iter().zip(slopes).map(of).collect()
+        forces.iter().zip(slopes).map(bearers_of).collect()
     }
 
     fn kg(forces: &[f64], slopes: &[f64], friction: f64, wrinkling: Option<f64>) -> f64 {

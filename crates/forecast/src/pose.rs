@@ -135,18 +135,18 @@ fn closed(star: &Star, predicted: &StarPrediction, object: Option<Length>) -> Op
     // A ball is thinner beside its middle.
     let object = object.map(|object| predicted.object_radius_mm.map_or(object, Length));
     let rest = predicted.tip_equilibrium_angle_deg?.to_radians().max(predicted.correction.contact_angle);
-    Some(at_angle(star, &moves, held(&moves, rest, object).unwrap_or(rest)))
+    Some(at_angle(star, &moves, holding_angle(&moves, rest, object).unwrap_or(rest)))
 }
 
 /// The tips' angle, rad, at which the star touches the object; `None` if at rest it does not.
-pub(super) fn held(moves: &Mechanism, rest: f64, object: Option<Length>) -> Option<f64> {
+pub(super) fn holding_angle(moves: &Mechanism, rest: f64, object: Option<Length>) -> Option<f64> {
     let rho = object?.metres();
     let widest = moves.widest(rest);
     if rho <= moves.radius(rest).value || rho >= widest.radius {
         return None;
     }
-    let beyond = |phi: f64| Ok::<f64, StarFault>(moves.radius(phi).value - rho);
-    bracketed_root(rest, widest.angle, 1e-9, beyond).ok()
+    let excess = |phi: f64| Ok::<f64, StarFault>(moves.radius(phi).value - rho);
+    bracketed_root(rest, widest.angle, 1e-9, excess).ok()
 }
 
 /// The star `flat`, inflated with the mechanism `moves`, at the tips' angle `phi`, rad; lengths in mm.
@@ -160,10 +160,10 @@ pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> PosedStar {
     let d_p = rho_0 + w + r_e;
     let (sin, cos) = libm::sincos(0.5 * phi);
     // From the tip's ray to the start of the arm. A corner's rim lies further out than its coiling gives; the arm keeps its length.
-    let (across, out) = libm::sincos(flat.half_sector());
-    let away = d_p * across - (w + r_i + r_e) * cos;
-    let along = (flat.l.powi(2) - away.powi(2)).max(0.0).sqrt();
-    let d_t = d_p * out - (w + r_i + r_e) * sin + along;
+    let (sine, cosine) = libm::sincos(flat.half_sector());
+    let offset = d_p * sine - (w + r_i + r_e) * cos;
+    let reach = (flat.l.powi(2) - offset.powi(2)).max(0.0).sqrt();
+    let d_t = d_p * cosine - (w + r_i + r_e) * sin + reach;
     PosedStar {
         inner_radius: rho_0,
         width: w,

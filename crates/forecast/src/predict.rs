@@ -39,7 +39,7 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     for star in &mut stars {
         star.evidence.safe_pressure_kPa = safe;
     }
-    let mut prediction = whole(spec, design, stars)?;
+    let mut prediction = assembled_prediction(spec, design, stars)?;
     prediction.verdict = verdict(spec, &prediction);
     Ok(prediction)
 }
@@ -54,7 +54,7 @@ fn payload_of(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -> S
 }
 
 /// The prediction of the gripper of `spec` with these stars of `design`, bottom first, without a verdict.
-pub(super) fn whole(
+pub(super) fn assembled_prediction(
     spec: &Spec,
     design: &StarAssembly,
     mut stars: Vec<StarPrediction>,
@@ -83,7 +83,8 @@ fn safe_pressure(
     let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
     let mut safer = spec.clone();
     safer.load.get_or_insert_default().pressure = Some(Pressure(safe));
-    let prediction = whole(&safer, design, predict_stars(&safer, design, models).ok()?).ok()?;
+    let prediction =
+        assembled_prediction(&safer, design, predict_stars(&safer, design, models).ok()?).ok()?;
     refusals(&safer, &prediction).is_empty().then_some(safe)
 }
 
@@ -98,15 +99,15 @@ fn predict_stars(
     let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
     for (i, placed) in design.stars.iter().enumerate() {
         // Stars of a stack are often equal; a slow model then answers once.
-        let mut before = design.stars.iter().take(i).enumerate();
+        let mut earlier = design.stars.iter().take(i).enumerate();
         let opening = design.frame.opening_below(placed.index);
-        let like = |j: usize| match (meeting(j), meeting(i)) {
+        let is_like = |j: usize| match (meeting(j), meeting(i)) {
             (Some(there), Some(here)) => there.is_like(here),
             (there, here) => there == here,
         };
-        let twin = before.find(|(j, other)| {
+        let twin = earlier.find(|(j, other)| {
             other.distinct == placed.distinct
-                && like(*j)
+                && is_like(*j)
                 && design.frame.opening_below(other.index) == opening
         });
         let part = design.part(placed);
@@ -121,9 +122,9 @@ fn predict_stars(
 
 /// The stars of `design`: no model covers another product.
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
-    let what = "a drawn shape is not a star; only the shell models it".to_owned();
+    let problem = "a drawn shape is not a star; only the shell models it".to_owned();
     let remedy = Some("use `predict`".to_owned());
-    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what, remedy })
+    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what: problem, remedy })
 }
 
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
@@ -135,14 +136,14 @@ pub fn add_curve(
     radii: &[Length],
     prediction: &mut Prediction,
 ) -> Result<(), PredictFault> {
-    let mut around = spec.clone();
+    let mut spec_around = spec.clone();
     let mut curves = vec![Vec::new(); prediction.stars.len()];
     for radius in radii {
-        let load = around.load.get_or_insert_default();
+        let load = spec_around.load.get_or_insert_default();
         load.object_radius = Some(*radius);
         // Each star around a cylinder that no star ends above or below.
         (load.object_height, load.object_shape) = (Some(ENDLESS), Some(ObjectShape::Cylinder));
-        let stars = predict(&around, design)?.stars;
+        let stars = predict(&spec_around, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
             curve.push(ForceAt(radius.0, star.object_force_N, low, high));
@@ -206,17 +207,17 @@ impl PlacedCase<'_> {
             if is_requested {
                 return Err(StarFault::NoPressure);
             }
-            let why = "the prediction depends on the pressure, and none is given";
-            let rows = rows(&self.case, self.seal.burst, self.seal.sure());
-            let mut star = self.unknown(why.to_owned());
-            if rows.is_empty() {
+            let reason = "the prediction depends on the pressure, and none is given";
+            let pressure_rows = rows(&self.case, self.seal.burst, self.seal.sure());
+            let mut star = self.unknown(reason.to_owned());
+            if pressure_rows.is_empty() {
                 let text = format!(
                     "no pressure from {LEAST} to {MOST} kPa has a prediction for this star: {}",
                     errors::UNKNOWN_MESSAGE
                 );
                 star.evidence.warnings.push(text.into());
             }
-            return Ok(StarPrediction { pressures: Some(rows), ..star });
+            return Ok(StarPrediction { pressures: Some(pressure_rows), ..star });
         };
         match tabled(&self.case, pressure) {
             Ok(model) => {
@@ -230,10 +231,10 @@ impl PlacedCase<'_> {
             Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. }))
                 if !is_requested =>
             {
-                let why = format!("section does not cover this star: {fault}");
-                let mut unknown = self.unknown(why.clone());
+                let reason = format!("section does not cover this star: {fault}");
+                let mut unknown = self.unknown(reason.clone());
                 let warnings = &mut unknown.evidence.warnings;
-                warnings.insert(0, PredictionWarning::new(WarningCode::NoModel, why));
+                warnings.insert(0, PredictionWarning::new(WarningCode::NoModel, reason));
                 warnings.extend(self.by_shell().map(PredictionWarning::from));
                 unknown.modelled_kPa = modelled(&self.case);
                 Ok(unknown)
@@ -252,7 +253,7 @@ impl PlacedCase<'_> {
         let presses = outcome.force_range.is_some_and(|[low, _]| low > 0.0);
         let object =
             if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
-        let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
+        let mut star = self.unknown(if outcome.known { choice } else { untried_message(case) });
         let warnings = &mut star.evidence.warnings;
         warnings.extend(limits_of_validity(model, case).into_iter().map(PredictionWarning::from));
         warnings.extend(self.of_the_ranges(&outcome));
@@ -282,7 +283,7 @@ impl PlacedCase<'_> {
             warnings.push(PredictionWarning::new(WarningCode::Validity, text));
         }
         warnings.extend(weave_left_out(&spec.fabric).map(PredictionWarning::from));
-        let bare = bare(spec, part, case);
+        let bare_evidence = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
             seal_load: seal.load,
@@ -298,10 +299,10 @@ impl PlacedCase<'_> {
                 safe_pressure_kPa: seal.sure().map(|sure| Pressure::from_pascals(sure).0),
                 warnings,
                 bursting: seal.bursting,
-                ..bare.evidence.clone()
+                ..bare_evidence.evidence.clone()
             },
             hold: case.pressure.and(case.object).map(|_| Grip::Untried),
-            ..bare
+            ..bare_evidence
         }
     }
 
@@ -317,15 +318,17 @@ impl PlacedCase<'_> {
         match domain {
             // What is printed as 1.0 is no reason to warn.
             Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
-                let outside = outside(&self.case);
+                let outside_text = outside(&self.case);
                 let text = format!(
-                    "{}, {outside}: ranges are {:.1} times as wide",
+                    "{}, {outside_text}: ranges are {:.1} times as wide",
                     errors::EXTRAPOLATED_MESSAGE,
                     outcome.ranges.wider
                 );
                 Some(text.into())
             }
-            _ if !outcome.known => Some(PredictionWarning::new(WarningCode::NoModel, unlike(&self.case))),
+            _ if !outcome.known => {
+                Some(PredictionWarning::new(WarningCode::NoModel, untried_message(&self.case)))
+            }
             _ => {
                 let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
                 // The requested quantity: the force where there is an object, else the final radius.
@@ -352,15 +355,15 @@ impl PlacedCase<'_> {
 }
 
 /// A message that the star of `case` is outside the validated domain, with the reason.
-fn unlike(case: &Case) -> String {
+fn untried_message(case: &Case) -> String {
     format!("{}: {}", errors::UNKNOWN_MESSAGE, outside(case))
 }
 
 /// A message that no hinge model uses the weave of `fabric`, if there is one.
 fn weave_left_out(fabric: &Fabric) -> Option<String> {
-    let weave = weave(fabric).ok()?;
-    let part = weave.shear;
-    (!weave.is_isotropic()).then(|| {
+    let fabric_weave = weave(fabric).ok()?;
+    let part = fabric_weave.shear;
+    (!fabric_weave.is_isotropic()).then(|| {
         format!(
             "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has {part:.2} of \
              its shear modulus; `predict` with the model \"shell\" uses it for 4 points with `warp` at a multiple of 45 deg"

@@ -111,11 +111,11 @@ impl Verdict {
             }
             _ => String::new(),
         };
-        let needed = self.needed_N.map_or(String::new(), |needed| {
-            let needed = shown::apart_from(needed, self.force_range_N.unwrap_or([0.0; 2]));
-            format!(" ({needed} N are needed)")
+        let needed_text = self.needed_N.map_or(String::new(), |needed| {
+            let needed_digits = shown::apart_from(needed, self.force_range_N.unwrap_or([0.0; 2]));
+            format!(" ({needed_digits} N are needed)")
         });
-        format!("{word}{force}{needed}")
+        format!("{word}{force}{needed_text}")
     }
 
     /// The force of one star, if it differs from the force of all and a limit is set.
@@ -130,13 +130,13 @@ impl Verdict {
 
     /// The force of a star whose flap stays straight, if a limit is set and above it. A force above the limit is one of the reasons.
     pub fn flap_in_words(&self) -> Option<String> {
-        let (bears, most) = (self.largest_force_N?, self.star_flap_force_N?);
-        if most > bears {
+        let (object_limit, flap_force) = (self.largest_force_N?, self.star_flap_force_N?);
+        if flap_force > object_limit {
             return None;
         }
         Some(format!(
-            "a star whose flap stays straight presses with at most {:.1} N; the object bears {bears} N",
-            tenths_up(most)
+            "a star whose flap stays straight presses with at most {:.1} N; the object bears {object_limit} N",
+            tenths_up(flap_force)
         ))
     }
 
@@ -293,10 +293,10 @@ keyed! {
     }
 }
 
-/// Those of `all` that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
-pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
+/// Those of `values` that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
+pub fn distinct<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
     let mut distinct: Vec<(T, Vec<usize>)> = Vec::new();
-    for (number, one) in (1..).zip(all) {
+    for (number, one) in (1..).zip(values) {
         match distinct.iter_mut().find(|(other, _)| *other == one) {
             Some((_, numbers)) => numbers.push(number),
             None => distinct.push((one, vec![number])),

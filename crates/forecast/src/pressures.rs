@@ -44,18 +44,19 @@ pub const LEAST: f64 = 1.0;
 /// Largest, kPa.
 pub const MOST: f64 = 100.0;
 
-/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` and surely holds `sure` (Pa), if
+/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` and surely holds `safe_pressure` (Pa), if
 /// these are known.
-pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureRow> {
+pub fn rows(case: &Case, burst: Option<f64>, safe_pressure: Option<f64>) -> Vec<PressureRow> {
     let decades = [LEAST, 10.0 * LEAST, MOST];
-    let all = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
+    let steps = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
     let mut rows: Vec<PressureRow> =
-        all.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
+        steps.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
     // The first of equals: less pressure does the same.
     let merit = |row: &PressureRow| merit(row, case.object.is_some());
     let any_tried = rows.iter().any(|row| row.tried);
-    let holds = |row: &PressureRow| sure.is_none_or(|sure| Pressure(row.pressure_kPa).pascals() <= sure);
-    let fit = |row: &PressureRow| holds(row) && (row.tried || !any_tried);
+    let is_safe =
+        |row: &PressureRow| safe_pressure.is_none_or(|safe| Pressure(row.pressure_kPa).pascals() <= safe);
+    let fit = |row: &PressureRow| is_safe(row) && (row.tried || !any_tried);
     // Of equals `max_by` takes the last, which is the first of the reversed.
     let best = (0..rows.len())
         .rev()
@@ -69,15 +70,15 @@ pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureR
 
 /// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
 /// it is.
-pub fn outside(model: &str, pressure: f64, [least, most]: Interval) -> (String, String) {
+pub fn outside(model: &str, pressure: f64, [lowest, highest]: Interval) -> (String, String) {
     let finding =
         format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
-    (finding, pressures([least, most].map(|pascals| Pressure::from_pascals(pascals).0)))
+    (finding, pressures([lowest, highest].map(|pascals| Pressure::from_pascals(pascals).0)))
 }
 
 /// The remedy that names pressures, kPa.
-pub(super) fn pressures([least, most]: Interval) -> String {
-    format!("a pressure from {} to {} kPa", Least(least), Most(most))
+pub(super) fn pressures([lowest, highest]: Interval) -> String {
+    format!("a pressure from {} to {} kPa", Least(lowest), Most(highest))
 }
 
 /// [`outside`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.
@@ -90,10 +91,10 @@ pub fn outside_section(
     let StarFault::Hinge(HingeFault::Scale { .. }) = fault else { return None };
     // Both are in proportion to the pressure.
     let [bendability, stretch] = [sheet.bendability(1.0, width), sheet.stretch(1.0, width)];
-    let most = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
-    let least = BENDABILITY.start() / bendability;
-    let is_due = least < most && !(least..=most).contains(&pressure);
-    is_due.then(|| outside("section", pressure, [least, most]))
+    let highest = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
+    let lowest = BENDABILITY.start() / bendability;
+    let is_due = lowest < highest && !(lowest..=highest).contains(&pressure);
+    is_due.then(|| outside("section", pressure, [lowest, highest]))
 }
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
@@ -112,12 +113,14 @@ pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
 /// if there is none.
 pub fn modelled(case: &Case) -> Option<Interval> {
     let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
-    let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
-    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
+    let pressure_at = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
+    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(pressure_at(*k))).collect();
     let (first, last) = (*modelled.first()?, *modelled.last()?);
     // From a pressure with a prediction towards its neighbour without one.
     let end = |inside: u32, outside: Option<u32>| {
-        outside.map_or(tried(inside), |outside| last_holding(tried(inside), tried(outside), 20, is_known))
+        outside.map_or(pressure_at(inside), |outside| {
+            last_holding(pressure_at(inside), pressure_at(outside), 20, is_known)
+        })
     };
     let low = end(first, first.checked_sub(1));
     let high = end(last, Some(last + 1).filter(|k| *k < TRIED));

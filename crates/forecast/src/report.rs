@@ -26,20 +26,20 @@ fn isotropic(stars: &[StarPrediction]) -> String {
 
 /// A page about `prediction`; with the values of its model, such as coiling and stiffness of hinges, only if it `is_full`.
 pub fn text(spec: &Spec, prediction: &Prediction, is_full: bool) -> String {
-    let mut out = format!("{}\n", spec.name);
+    let mut page = format!("{}\n", spec.name);
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
-    let distinct = distinct(&prediction.stars);
-    for (star, numbers) in &distinct {
-        let _ = match (distinct.len(), &numbers[..]) {
+    let distinct_stars = distinct(&prediction.stars);
+    for (star, numbers) in &distinct_stars {
+        let _ = match (distinct_stars.len(), &numbers[..]) {
             (1, [_]) => Ok(()),
-            (1, all) => writeln!(out, "\n{} equal stars, each:", all.len()),
-            (_, [number]) => writeln!(out, "\nstar {number}:"),
-            _ => writeln!(out, "\nstars {}:", listed(numbers)),
+            (1, all) => writeln!(page, "\n{} equal stars, each:", all.len()),
+            (_, [number]) => writeln!(page, "\nstar {number}:"),
+            _ => writeln!(page, "\nstars {}:", listed(numbers)),
         };
-        star_text(&mut out, star, pressure, is_full);
+        star_text(&mut page, star, pressure, is_full);
     }
     if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
-        let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
+        let _ = writeln!(page, "\nmass of the whole stack         {} g", Readable(mass));
     }
     if let Some(payload) = prediction.first.payload_kg {
         let text = match prediction.first.ranges.payload_kg {
@@ -55,39 +55,39 @@ pub fn text(spec: &Spec, prediction: &Prediction, is_full: bool) -> String {
             None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
             None => shown::or_unknown(payload, None, "kg"),
         };
-        let _ = writeln!(out, "\npayload of the whole stack      {text}");
+        let _ = writeln!(page, "\npayload of the whole stack      {text}");
     }
     if spec.fabric.shear_modulus.is_none() {
-        let _ = writeln!(out, "\n{}", isotropic(&prediction.stars));
+        let _ = writeln!(page, "\n{}", isotropic(&prediction.stars));
     }
     if let Some(verdict) = &prediction.verdict {
-        let _ = writeln!(out, "\nverdict: {}", verdict.line());
+        let _ = writeln!(page, "\nverdict: {}", verdict.line());
         for reason in verdict.reasons.iter().chain(&verdict.remarks()) {
-            let _ = writeln!(out, "  {reason}");
+            let _ = writeln!(page, "  {reason}");
         }
     }
-    out
+    page
 }
 
 /// The predictions of `star` at `pressure`, kPa.
-fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_full: bool) {
+fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is_full: bool) {
     if star.evidence.mesh_errors.is_some() {
-        return result::star_text(out, star, is_full);
+        return result::star_text(page, star, is_full);
     }
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
     let search = star.evidence.accuracy.as_ref().map(ToString::to_string);
     let has_no_model = star.evidence.warnings.iter().any(|warning| warning.code == WarningCode::NoModel);
     let choice = Some(&star.evidence.choice).filter(|_| !has_no_model);
-    let why = search.as_ref().or(choice);
-    line(out, "model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
-    line(out, "arm length", show(star.arm_length_mm, "mm"));
+    let reason = search.as_ref().or(choice);
+    line(page, "model", reason.map_or(star.model.to_owned(), |reason| format!("{} ({reason})", star.model)));
+    line(page, "arm length", show(star.arm_length_mm, "mm"));
     // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
     if let Some((tip, corner)) = pair(star.lambda_t).filter(|_| is_full) {
         let digits =
             |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
-        line(out, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
+        line(page, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
     // What the spec requires is listed also when unknown.
     let mut quantity =
@@ -97,7 +97,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_
                 None if is_asked && !is_limit => Some("unknown".to_owned()),
                 None => value.map(|value| without_range(value, unit, is_limit)),
             };
-            line(out, what, text);
+            line(page, what, text);
         };
     let (ranges, is_asked) = (&star.ranges, star.bendability.is_some());
     let percent = |range: Interval| scaled(range, 100.0);
@@ -116,22 +116,22 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_
     quantity("radial stiffness", radial, ranges.radial_stiffness_N_per_m, "N/m", is_asked);
     let is_untried = star.hold == Some(Grip::Untried);
     quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
-    line(out, "payload of this star", star.payload_kg.map(|kg| star_payload(star, kg, is_limit)));
-    grip_lines(out, star);
-    seal_lines(out, star, pressure);
-    line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
+    line(page, "payload of this star", star.payload_kg.map(|kg| star_payload(star, kg, is_limit)));
+    grip_lines(page, star);
+    seal_lines(page, star, pressure);
+    line(page, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
     let bendability = star.bendability.filter(|_| is_full);
-    line(out, "bendability", bendability.map(|bendability| show(bendability, "")));
+    line(page, "bendability", bendability.map(|bendability| show(bendability, "")));
     let stretch = star.stretch.and_then(FabricStretch::ratio).map(|stretch| show(100.0 * stretch, "%"));
-    line(out, "stretch of the fabric", stretch);
-    line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
-    line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
-    line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));
-    force_lines(out, star, is_limit);
+    line(page, "stretch of the fabric", stretch);
+    line(page, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
+    line(page, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
+    line(page, "mass", star.mass_g.map(|mass| show(mass, "g")));
+    force_lines(page, star, is_limit);
     for warning in &star.evidence.warnings {
-        line(out, "warning", warning.text.clone());
+        line(page, "warning", warning.text.clone());
     }
-    pressure_table(out, star.pressures.as_deref().unwrap_or_default());
+    pressure_table(page, star.pressures.as_deref().unwrap_or_default());
 }
 
 /// A value without a range: that of a limit, whose error is unknown, else none.
@@ -148,19 +148,19 @@ fn star_payload(star: &StarPrediction, kg: f64, is_limit: bool) -> String {
 }
 
 /// The pull on the seal, and the pressure at which the seal bursts, beside `pressure`, kPa.
-fn seal_lines(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
+fn seal_lines(page: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     let ranges = &star.ranges;
     let pull = star.seal_pull_N_per_mm.map(|pull| shown::or_unknown(pull, ranges.seal_pull_N_per_mm, "N/mm"));
-    line(out, "largest pull on the seal", pull);
+    line(page, "largest pull on the seal", pull);
     let burst = star.burst_pressure_kPa.map(|burst| match ranges.burst_pressure_kPa {
         Some(range) => shown::with_limit(burst, range, "kPa", pressure),
         None => shown::or_unknown(burst, None, "kPa"),
     });
-    line(out, "burst pressure", burst);
+    line(page, "burst pressure", burst);
 }
 
 /// The forces on the objects of the requested radii.
-fn force_lines(out: &mut String, star: &StarPrediction, is_limit: bool) {
+fn force_lines(page: &mut String, star: &StarPrediction, is_limit: bool) {
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
@@ -170,7 +170,7 @@ fn force_lines(out: &mut String, star: &StarPrediction, is_limit: bool) {
             (Some(force), None) => without_range(force, "N", is_limit),
             (None, _) => "unknown".to_owned(),
         };
-        line(out, &format!("force at {} mm", Readable(*radius)), text);
+        line(page, &format!("force at {} mm", Readable(*radius)), text);
     }
 }
 
@@ -179,17 +179,21 @@ fn show(value: f64, unit: &str) -> String {
 }
 
 /// The objects that fit the star, and what its flap adds.
-fn grip_lines(out: &mut String, star: &StarPrediction) {
-    let Some([least, most]) = star.graspable_radius_mm else { return };
+fn grip_lines(page: &mut String, star: &StarPrediction) {
+    let Some([smallest, largest]) = star.graspable_radius_mm else { return };
     // The second value has no better range than the first.
     let end = |radius: f64| match star.ranges.final_radius_mm {
         Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
         None => format!("{} mm", shown::rounded(2.0 * radius)),
     };
-    line(out, "holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most)));
-    line(out, "cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
+    line(
+        page,
+        "holds objects",
+        format!("{} to {} across", end(smallest).trim_end_matches(" mm"), end(largest)),
+    );
+    line(page, "cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
     let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", end(radius)));
-    line(out, "flap's edge touches objects", edge);
+    line(page, "flap's edge touches objects", edge);
     let force = star.flap_force_N.filter(|force| *force > 0.0).map(|force| {
         let unknown = || format!("{} N", shown::rounded(force));
         let force =
@@ -197,48 +201,48 @@ fn grip_lines(out: &mut String, star: &StarPrediction) {
         let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
         format!("up to {force}{}", load.unwrap_or_default())
     });
-    line(out, "force if the flap holds", force);
+    line(page, "force if the flap holds", force);
     let bending = star.arm_wrinkling_kg.zip(star.arm_folding_kg);
     let bending = bending.map(|(wrinkling, folding)| {
         let [wrinkling, folding] = [wrinkling, folding].map(shown::rounded);
         format!("wrinkle under {wrinkling} kg on this star, fold under {folding} kg")
     });
-    line(out, "arms beside the plates", bending);
-    line(out, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
+    line(page, "arms beside the plates", bending);
+    line(page, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
 }
 
 /// The table of pressures, if there are any.
-fn pressure_table(out: &mut String, rows: &[PressureRow]) {
+fn pressure_table(page: &mut String, rows: &[PressureRow]) {
     let has_force = rows.iter().any(|row| row.object_force_N.is_some());
     if !rows.is_empty() {
         let force = if has_force { "force on the object       " } else { "" };
         let _ = writeln!(
-            out,
+            page,
             "\n  at the pressure        final radius              {force}stretch   burst margin"
         );
     }
     for row in rows {
-        pressure_text(out, row, has_force);
+        pressure_text(page, row, has_force);
     }
     if let Some(best) = rows.iter().position(|row| row.best) {
-        let most =
+        let criterion =
             if has_force { "the largest lower end of the force's range" } else { "the least final radius" };
         let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
-        let _ = writeln!(out, "  best: {most}, without bursting{end}");
+        let _ = writeln!(page, "  best: {criterion}, without bursting{end}");
     }
 }
 
-/// `row`, with a force where some row has one: `held`.
-fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
+/// `row`, with a force where some row has one: `has_force`.
+fn pressure_text(page: &mut String, row: &PressureRow, has_force: bool) {
     let force_text = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
-    let force = if held { force_text() } else { String::new() };
+    let force = if has_force { force_text() } else { String::new() };
     let note = match (row.best, row.tried) {
         (true, _) => "   <- best",
         (_, false) => "   outside the validated range",
         _ => "",
     };
     let _ = writeln!(
-        out,
+        page,
         "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
         shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),

@@ -35,26 +35,26 @@ impl fmt::Display for PredictFault {
 impl std::error::Error for PredictFault {}
 
 impl PredictFault {
-    /// That of no star in particular, at `key`, where `what` says all.
-    pub(super) fn new(key: KeyPath, what: String) -> Self {
-        Self { star: None, key, what, remedy: None }
+    /// That of no star in particular, at `key`, where `problem` says all.
+    pub(super) fn new(key: KeyPath, problem: String) -> Self {
+        Self { star: None, key, what: problem, remedy: None }
     }
 }
 
 /// `fault` of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
 pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
     let case = Case::of(spec, &part.star).ok();
-    let beyond = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
-    if let Some((key, remedy)) = beyond {
+    let mended = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
+    if let Some((key, remedy)) = mended {
         return PredictFault { star: Some(star), key, what: fault.to_string(), remedy: Some(remedy) };
     }
-    let outside = case.and_then(|case| {
-        let (what, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
+    let problem_and_remedy = case.and_then(|case| {
+        let (problem, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
         // Not every pressure that `section` covers has a prediction.
-        Some((what, modelled(&case).map(pressures)))
+        Some((problem, modelled(&case).map(pressures)))
     });
-    if let Some((what, remedy)) = outside {
-        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy };
+    if let Some((problem, remedy)) = problem_and_remedy {
+        return PredictFault { star: Some(star), key: key::load::PRESSURE, what: problem, remedy };
     }
     let key = match fault {
         StarFault::Dimension { symbol, .. } => match *symbol {
@@ -101,16 +101,17 @@ fn thickness_remedy(fabric: &Fabric, case: &Case, range: [f64; 2]) -> (KeyPath, 
         range.map(|thickness| thickness.powi(2) / (12.0 * (1.0 - case.sheet.poisson_ratio.powi(2))));
     if fabric.bending_stiffness.is_some() {
         let stretch = case.sheet.stretching_modulus();
-        let [least, most] = squares.map(|square| BendingStiffness::from_newton_metres(stretch * square).0);
-        let values = format!("a bending_stiffness from {} to {} N mm", Least(least), Most(most));
+        let [lowest, highest] =
+            squares.map(|square| BendingStiffness::from_newton_metres(stretch * square).0);
+        let values = format!("a bending_stiffness from {} to {} N mm", Least(lowest), Most(highest));
         (key::fabric::BENDING_STIFFNESS, values)
     } else if fabric.stretch_stiffness.is_some() {
         let bending = case.sheet.bending_modulus();
-        let [most, least] = squares.map(|square| LineForce::from_newtons_per_metre(bending / square).0);
-        let values = format!("a stretch_stiffness from {} to {} N/mm", Least(least), Most(most));
+        let [highest, lowest] = squares.map(|square| LineForce::from_newtons_per_metre(bending / square).0);
+        let values = format!("a stretch_stiffness from {} to {} N/mm", Least(lowest), Most(highest));
         (key::fabric::STRETCH_STIFFNESS, values)
     } else {
-        let [least, most] = range.map(mm);
-        (key::fabric::THICKNESS, format!("a thickness from {} to {} mm", Least(least), Most(most)))
+        let [lowest, highest] = range.map(mm);
+        (key::fabric::THICKNESS, format!("a thickness from {} to {} mm", Least(lowest), Most(highest)))
     }
 }

@@ -135,27 +135,28 @@ impl VBench {
         let [least_tau, .., most_tau] = arms::TAUS;
         // B = Y (W tau)^2, and 1/eps = p W^3 / B is 100 at least and p W / Y = tau^2 / eps.
         let of_tau = |tau: f64| stretch * (w * tau).powi(2);
-        let most = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
-        let least =
+        let highest = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
+        let lowest =
             of_tau(least_tau * libm::exp(-arms::SLACK)).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
         // Values at the table's edge are left out.
-        let (least, most) = (1.001 * least, 0.999 * most);
-        if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {
+        let (lowest, highest) = (1.001 * lowest, 0.999 * highest);
+        if lowest.is_nan() || lowest >= highest || pressure * w / stretch > STRETCH[1] {
             return Err(BenchFault::Beyond);
         }
         let excess =
             |log_b: f64| self.predicted(libm::exp(log_b), stretch, poisson).map(|angle| angle - inflated);
-        let place = |k: u32| libm::log(most) + f64::from(k) / f64::from(PLACES) * libm::log(least / most);
-        let mut before = excess(place(0))?;
-        let mut range = [before, before];
+        let place =
+            |k: u32| libm::log(highest) + f64::from(k) / f64::from(PLACES) * libm::log(lowest / highest);
+        let mut previous = excess(place(0))?;
+        let mut range = [previous, previous];
         for k in 1..=PLACES {
-            let now = excess(place(k))?;
-            if before * now <= 0.0 {
+            let current = excess(place(k))?;
+            if previous * current <= 0.0 {
                 let root = bracketed_root(place(k - 1), place(k), TOLERANCE, excess)?;
                 return Ok(libm::exp(root));
             }
-            range = [range[0].min(now), range[1].max(now)];
-            before = now;
+            range = [range[0].min(current), range[1].max(current)];
+            previous = current;
         }
         Err(BenchFault::Angle(inflated, range.map(|excess| inflated + excess)))
     }
@@ -173,12 +174,12 @@ impl DiscBench {
             let stretch = self.pressure * w / libm::exp(log_stretch);
             Ok(self.part(bending, stretch, poisson)? - part)
         };
-        let [least, most] = STRETCH.map(libm::log);
-        let [narrow, wide] = [excess(least)?, excess(most)?];
+        let [lowest, highest] = STRETCH.map(libm::log);
+        let [narrow, wide] = [excess(lowest)?, excess(highest)?];
         if narrow > 0.0 || wide < 0.0 {
             return Err(BenchFault::Disc(part, [part + narrow, part + wide]));
         }
-        let root = bracketed_root(least, most, TOLERANCE, excess)?;
+        let root = bracketed_root(lowest, highest, TOLERANCE, excess)?;
         Ok(self.pressure * w / libm::exp(root))
     }
 
@@ -208,8 +209,8 @@ mod tests {
         let section = Section::by_ratios(14e3 * 8e-6 / b, (b / y).sqrt() / 0.02, nu);
         let bench = vee(0.0);
         let rest = section.target(0.1).expect("in range");
-        let found = vee(bench.hinge.angle_of(&section, &rest)).bending_stiffness(y, nu).expect("found");
-        assert!((found / b - 1.0).abs() < 1e-4, "{found}");
+        let stiffness = vee(bench.hinge.angle_of(&section, &rest)).bending_stiffness(y, nu).expect("found");
+        assert!((stiffness / b - 1.0).abs() < 1e-4, "{stiffness}");
     }
 
     #[test]
@@ -219,24 +220,27 @@ mod tests {
         let stiff = disc.part(1e-5, 1e9, 0.39).expect("solved");
         assert!((stiff - 0.762_76).abs() < 2e-4, "{stiff}");
         let inflated = 0.1 * disc.part(3.4e-4, 20_000.0, 0.39).expect("solved");
-        let found = DiscBench { inflated, ..disc }.stretch_stiffness(3.4e-4, 0.39).expect("found");
-        assert!((found / 20_000.0 - 1.0).abs() < 1e-3, "{found}");
+        let stiffness = DiscBench { inflated, ..disc }.stretch_stiffness(3.4e-4, 0.39).expect("found");
+        assert!((stiffness / 20_000.0 - 1.0).abs() < 1e-3, "{stiffness}");
     }
 
     #[test]
     fn no_hinge_of_any_model_closes_below_the_least_angle() {
         assert!((least_angle(58.7_f64.to_radians()).to_degrees() + 6.7).abs() < 0.1);
         for rest_angle in [10.0_f64, 60.0, 120.0, 175.0].map(f64::to_radians) {
-            let least = least_angle(rest_angle);
+            let least_angle_rad = least_angle(rest_angle);
             for r_star in [0.0, 0.02, 0.15, 1.0] {
                 let hinge = Hinge { r_star, width: 0.02, rest_angle };
                 let rest = ring::Ring.target(r_star).expect("in range");
-                assert!(hinge.angle_of(&ring::Ring, &rest) > least, "{hinge:?}");
+                assert!(hinge.angle_of(&ring::Ring, &rest) > least_angle_rad, "{hinge:?}");
                 for tau in [1.5e-3, 3.162e-3, 9.935e-3] {
                     for bendability in [100.0, 630.0, 1e4_f64.min(0.1 / (tau * tau))] {
                         let section = Section::by_ratios(bendability, tau, 0.39);
                         let Ok(rest) = section.target(r_star) else { continue };
-                        assert!(hinge.angle_of(&section, &rest) > least, "{hinge:?} {tau} {bendability}");
+                        assert!(
+                            hinge.angle_of(&section, &rest) > least_angle_rad,
+                            "{hinge:?} {tau} {bendability}"
+                        );
                     }
                 }
             }

@@ -2,8 +2,8 @@
 
 use crate::interval::{Interval, sum};
 use crate::load_check::{
-    ROUNDING, bursts, held, may_be_too_heavy, may_burst, may_not_press, outside_models, too_hard, too_heavy,
-    too_heavy_for_stars, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
+    ROUNDING, bursts, held_sizes, may_be_too_heavy, may_burst, may_not_press, outside_models, too_hard,
+    too_heavy, too_heavy_for_stars, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::outcome::Grip;
 use crate::prediction::StackPayload;
@@ -297,9 +297,9 @@ fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
     // Where the range is known, the object may lie within it.
     let [sure, _] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
     if object < sure {
-        return Some(too_thin(load, object, sure, held(star)));
+        return Some(too_thin(load, object, sure, held_sizes(star)));
     }
-    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held(star)))
+    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held_sizes(star)))
 }
 
 /// The doubt that `star`, whose tube presses no harder than the object bears, `bears` N, does so while its flap stays straight.

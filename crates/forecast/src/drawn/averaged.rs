@@ -46,9 +46,10 @@ impl AveragedRanges {
         let part = (MOST_RESOLVED / bendability).sqrt().min(1.0);
         let height = MeshedValue { value: height.value, mesh_error: height.mesh_error };
         Self {
-            height_mm: around(height, [1.0 - HEIGHT * part, 1.0]),
-            extents_mm: extents.map(|extent| around(extent, [1.0 - EXTENT * part, 1.0 + EXTENT * part])),
-            volume_mm3: around(volume, [1.0 - VOLUME * part, 1.0 + MORE_VOLUME]),
+            height_mm: stated_range(height, [1.0 - HEIGHT * part, 1.0]),
+            extents_mm: extents
+                .map(|extent| stated_range(extent, [1.0 - EXTENT * part, 1.0 + EXTENT * part])),
+            volume_mm3: stated_range(volume, [1.0 - VOLUME * part, 1.0 + MORE_VOLUME]),
             seal_pull_N_per_mm: pull_range(pull),
         }
     }
@@ -56,11 +57,11 @@ impl AveragedRanges {
 
 /// The range of an averaged `pull` on a seam, N/mm.
 pub(super) fn pull_range(pull: MeshedPlace) -> Interval {
-    around(MeshedValue { value: pull.value, mesh_error: pull.mesh_error }, [1.0, PULL])
+    stated_range(MeshedValue { value: pull.value, mesh_error: pull.mesh_error }, [1.0, PULL])
 }
 
 /// `value`, from `factors[0]` to `factors[1]` times itself, and its mesh error beyond.
-fn around(value: MeshedValue, factors: Interval) -> Interval {
+fn stated_range(value: MeshedValue, factors: Interval) -> Interval {
     let MeshedValue { value, mesh_error } = value;
     [(factors[0] * (value - mesh_error)).max(0.0), factors[1] * (value + mesh_error)]
 }

@@ -36,8 +36,8 @@ impl DrawnChamber {
 /// If the edges enclose no chamber, or the fabric is invalid.
 pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnChamber>, PredictFault> {
     let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
-    let sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
-    let weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let elastic_sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let fabric_weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
     let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
         .map_err(|fault| refused(fault.to_string()))?;
     if flats.is_empty() {
@@ -46,7 +46,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {
             chamber: flat.by(MM_IN_M),
-            fabric: fabric(&sheet, weave),
+            fabric: fabric(&elastic_sheet, fabric_weave),
             pressure: 0.0,
             band: spec.seal.band.metres(),
             probes: Vec::new(),

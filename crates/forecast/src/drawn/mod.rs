@@ -90,13 +90,13 @@ pub fn inflate(
         let RegionPressure { highest, partial } = &pressures[number];
         let partial = partial.clone();
         let case = FlatRegion { pressure: highest.pascals(), probes, partial, ..chamber.region.clone() };
-        let within = |part: f64, what: &str| {
+        let report_part = |part: f64, what: &str| {
             if let Some(progress) = watch.progress {
                 #[expect(clippy::cast_precision_loss, reason = "few chambers")]
                 progress((number as f64 + part) / count as f64, what);
             }
         };
-        let chamber_watch = Watch { progress: Some(&within), ..watch.clone() };
+        let chamber_watch = Watch { progress: Some(&report_part), ..watch.clone() };
         let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
             .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
@@ -153,20 +153,20 @@ fn refuse_large(
     });
     let unknowns: f64 = sizes.sum();
     let size = format!("about {} unknowns and {}", thousands(unknowns), duration(seconds(unknowns)));
-    let most = watch.most_unknowns.unwrap_or(f64::INFINITY);
-    if unknowns <= most {
+    let limit = watch.most_unknowns.unwrap_or(f64::INFINITY);
+    if unknowns <= limit {
         if let Some(progress) = watch.progress {
             progress(0.0, &size);
         }
         return Ok(());
     }
-    let what = format!(
+    let problem = format!(
         "the shell of this drawing is large: {size}; at most {} are computed unasked",
-        thousands(most)
+        thousands(limit)
     );
     let remedy = "`check` and `build` compute it if it is accepted anyway, `predict` with a fineness; fewer islands need less; \
                   `model = \"auto\"` leaves the shell out";
-    Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, what) })
+    Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, problem) })
 }
 
 /// A number of unknowns, rounded to thousands.
@@ -204,10 +204,10 @@ impl DrawnCase {
         if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
             let word =
                 ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
-            let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
+            let problem = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
             return Err(PredictFault {
                 remedy: Some(HOW.to_owned()),
-                ..PredictFault::new(key::accuracy::MODEL, what)
+                ..PredictFault::new(key::accuracy::MODEL, problem)
             });
         }
         let pressures = match loaded(spec) {
@@ -243,14 +243,14 @@ fn flat(spec: &Spec, pieces: &DrawnPieces, case: &DrawnCase) -> DrawnPrediction 
 }
 
 /// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.
-fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
+fn not_inflated(fault: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
     let [x, y] = chamber.at_mm;
-    let of = if count == 1 {
+    let subject = if count == 1 {
         String::new()
     } else {
         format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
     };
-    refused(why, &of, |why| match why {
+    refused(fault, &subject, |fault| match fault {
         ShellFault::Range { name: Input::Slenderness, .. } => key::fabric::THICKNESS,
         _ => key::drawing::FILE,
     })

@@ -156,7 +156,8 @@ impl ChamberPrediction {
         let (flat, fabric) = (&chamber.flat, &chamber.region.fabric);
         let bounds = flat.outline.bounds();
         let width = chamber.region.chamber.widest();
-        let by = |of: &dyn Fn(f64) -> f64| pressure.map(|pressure| six(of(pressure.pascals())));
+        let ratio_of_pressure =
+            |of: &dyn Fn(f64) -> f64| pressure.map(|pressure| six(of(pressure.pascals())));
         Self {
             chamber: number,
             at_mm: [bounds.center().x, bounds.center().y].map(six),
@@ -165,8 +166,8 @@ impl ChamberPrediction {
                 flat.area() - flat.islands.iter().map(|island| island.area().abs()).sum::<f64>()
             ),
             flat_extents_mm: [bounds.width(), bounds.height()].map(six),
-            bendability: by(&|p| p * width.powi(3) / fabric.bending),
-            stretch: by(&|p| p * width / fabric.stretch),
+            bendability: ratio_of_pressure(&|p| p * width.powi(3) / fabric.bending),
+            stretch: ratio_of_pressure(&|p| p * width / fabric.stretch),
             ..Self::default()
         }
     }
@@ -174,47 +175,47 @@ impl ChamberPrediction {
     /// Adds the shell's values.
     pub(super) fn fill(
         &mut self,
-        found: &InflatedRegion,
+        region: &InflatedRegion,
         pieces: &DrawnPieces,
         pressure: Pressure,
         peel: Option<LineForce>,
     ) {
-        let seams = seam_predictions(found, pieces);
+        let seams = seam_predictions(region, pieces);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
-        let is_averaged = found.wrinkles == Wrinkles::Averaged;
+        let is_averaged = region.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
         let burst = peel.zip(largest).filter(|_| !is_averaged).and_then(|(peel, pull)| {
             let pull = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
             burst_of_drawn(peel.newtons_per_metre(), pressure.pascals(), pull)
         });
         let kpa = |pascals: f64| six(Pressure::from_pascals(pascals).0);
-        self.wrinkles = Some(match found.wrinkles {
+        self.wrinkles = Some(match region.wrinkles {
             Wrinkles::Resolved => "resolved",
             Wrinkles::Averaged => "averaged",
         });
-        let height = MeshedPlace::rounded(found.height.scaled(1e3), found.height_at);
-        let extents = found.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3)));
-        let volume = MeshedValue::rounded(found.volume.scaled(1e9));
+        let height = MeshedPlace::rounded(region.height.scaled(1e3), region.height_at);
+        let extents = region.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3)));
+        let volume = MeshedValue::rounded(region.volume.scaled(1e9));
         self.ranges = largest
             .filter(|_| is_averaged)
-            .map(|pull| AveragedRanges::new(found.bendability, height, extents, volume, pull));
+            .map(|pull| AveragedRanges::new(region.bendability, height, extents, volume, pull));
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
         self.burst_pressure_kPa = burst.map(|(burst, _)| kpa(burst));
         self.burst_range_kPa = burst.map(|(_, range)| range.map(kpa));
-        self.largest_stretch = Some(MeshedPlace::rounded(found.stretch, found.stretch_at));
+        self.largest_stretch = Some(MeshedPlace::rounded(region.stretch, region.stretch_at));
         self.largest_tension_N_per_mm =
-            Some(MeshedPlace::rounded(found.tension.scaled(1e-3), found.tension_at));
-        self.plane_eigenvalue = Some(MeshedValue::rounded(found.antisymmetric_eigenvalue));
-        self.plane = Some(match found.plane() {
+            Some(MeshedPlace::rounded(region.tension.scaled(1e-3), region.tension_at));
+        self.plane_eigenvalue = Some(MeshedValue::rounded(region.antisymmetric_eigenvalue));
+        self.plane = Some(match region.plane() {
             PlaneState::Stays => PlaneAnswer::Stays,
             PlaneState::Leaves => PlaneAnswer::Leaves,
             PlaneState::Unsure => PlaneAnswer::Unsure,
         });
         self.leaves_plane = self.plane.map(|plane| plane != PlaneAnswer::Stays);
         self.seams = Some(seams);
-        self.unknowns = Some(found.evidence.unknowns.clone());
-        self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());
+        self.unknowns = Some(region.evidence.unknowns.clone());
+        self.iterations = Some(region.evidence.efforts.iter().map(|effort| effort.iterations).sum());
     }
 
     /// Gives the burst pressure in terms of a load that is `ratio` times this chamber's pressure: all pressures grow in proportion.
@@ -260,17 +261,17 @@ impl DrawnPrediction {
     pub fn seam_loads(&self) -> Vec<(Option<LineForce>, String)> {
         let count = self.chambers.len();
         let of_chamber = |one: &ChamberPrediction| {
-            let of = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
+            let place = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
             let seams = one.seams.iter().flatten();
             let largest = |pull: MeshedPlace| match one.ranges {
                 Some(_) => pull_range(pull)[1],
                 None => pull.value,
             };
             let pulls = seams
-                .map(|seam| (Some(LineForce(largest(seam.pull_N_per_mm))), format!("{}{of}", seam.seam)));
+                .map(|seam| (Some(LineForce(largest(seam.pull_N_per_mm))), format!("{}{place}", seam.seam)));
             let mut loads: Vec<_> = pulls.collect();
             if loads.is_empty() {
-                loads.push((None, format!("seams{of}")));
+                loads.push((None, format!("seams{place}")));
             }
             loads
         };
@@ -285,9 +286,9 @@ impl DrawnPrediction {
     /// The refusal of a seal that certainly bursts.
     pub fn bursts(&self) -> Option<Refusal> {
         let _ = self.bursting().filter(|one| *one == Bursting::Yes)?;
-        let [sure, _] = self.burst_range_kPa?;
+        let [safe, _] = self.burst_range_kPa?;
         let finding = bursts_at(Pressure(self.pressure_kPa?), self.burst_pressure_kPa?, self.burst_range_kPa);
-        let remedy = format!("at most {} kPa, or a stronger seal or narrower chambers", Most(sure));
+        let remedy = format!("at most {} kPa, or a stronger seal or narrower chambers", Most(safe));
         Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, finding, remedy))
     }
 

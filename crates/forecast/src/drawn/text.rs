@@ -15,93 +15,93 @@ use std::fmt::Write;
 /// A page about `prediction`; with the numbers of its meshes only if it `is_full`. The lines about the whole piece come first, then those of
 /// each chamber, then a line for each quantity that is measured. A line whose value is unknown is left out.
 pub fn text(spec: &Spec, prediction: &DrawnPrediction, is_full: bool) -> String {
-    let mut out = format!("{}\n", spec.name);
+    let mut page = format!("{}\n", spec.name);
     let (evidence, count) = (&prediction.evidence, prediction.chambers.len());
     let choice = evidence.accuracy.as_ref().map_or_else(|| evidence.choice.clone(), ToString::to_string);
-    line(&mut out, "model", format!("{} ({choice})", prediction.model));
+    line(&mut page, "model", format!("{} ({choice})", prediction.model));
     for PortPressure { port, pressure_kPa } in prediction.pressures_kPa.iter().flatten() {
-        line(&mut out, &format!("pressure at {port}"), format!("{} kPa", Readable(*pressure_kPa)));
+        line(&mut page, &format!("pressure at {port}"), format!("{} kPa", Readable(*pressure_kPa)));
     }
-    line(&mut out, "mass of one piece", prediction.mass_g.map(|mass| format!("{} g", Readable(mass))));
+    line(&mut page, "mass of one piece", prediction.mass_g.map(|mass| format!("{} g", Readable(mass))));
     line(
-        &mut out,
+        &mut page,
         "volume of all chambers",
         prediction.volume_mm3.filter(|_| count > 1).map(|volume| litres(volume, None)),
     );
     let burst = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa);
     let burst = burst.map(|(burst, range)| shown::with_limit(burst, range, "kPa", prediction.pressure_kPa));
-    line(&mut out, "burst pressure", burst);
-    line(&mut out, "burst margin", prediction.burst_margin.map(shown::rounded));
+    line(&mut page, "burst pressure", burst);
+    line(&mut page, "burst margin", prediction.burst_margin.map(shown::rounded));
     for warning in &prediction.evidence.warnings {
-        line(&mut out, "warning", warning.text.clone());
+        line(&mut page, "warning", warning.text.clone());
     }
     if spec.fabric.shear_modulus.is_none() && prediction.model == SHELL {
         let isotropic = "isotropic; a weave that is soft in shear inflates otherwise (docs/weave.md)";
-        line(&mut out, "fabric", isotropic.to_owned());
+        line(&mut page, "fabric", isotropic.to_owned());
     }
     for chamber in &prediction.chambers {
         let [x, y] = chamber.at_mm;
         let number = chamber.chamber;
-        let _ = writeln!(out, "\nchamber {number} of {count}, around X {x:.1} Y {y:.1} mm:");
-        of_chamber(&mut out, chamber, is_full);
+        let _ = writeln!(page, "\nchamber {number} of {count}, around X {x:.1} Y {y:.1} mm:");
+        of_chamber(&mut page, chamber, is_full);
     }
     if !prediction.measures.is_empty() {
-        out.push_str("\nmeasures:\n");
+        page.push_str("\nmeasures:\n");
     }
     for measure in &prediction.measures {
-        of_measure(&mut out, measure);
+        of_measure(&mut page, measure);
     }
-    out
+    page
 }
 
 /// A line for each quantity of a measure: flat, and inflated with its mesh error.
-fn of_measure(out: &mut String, measure: &MeasurePrediction) {
+fn of_measure(page: &mut String, measure: &MeasurePrediction) {
     for (word, unit, MeasuredQuantity { flat, inflated, .. }) in measure.quantities() {
         let flat = format!("flat {} {unit}", shown::rounded(flat));
         let value =
             inflated.map_or(flat.clone(), |inflated| format!("{}; {flat}", number(inflated, None, unit)));
         let reference =
             measure.angle_to.as_ref().filter(|_| word == "angle").map(|name| format!(" to {name}"));
-        line(out, &format!("{}, {word}{}", measure.measure, reference.unwrap_or_default()), value);
+        line(page, &format!("{}, {word}{}", measure.measure, reference.unwrap_or_default()), value);
     }
 }
 
-fn of_chamber(out: &mut String, chamber: &ChamberPrediction, is_full: bool) {
+fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
     let [x, y] = chamber.flat_extents_mm.map(Readable);
-    line(out, "flat", format!("{x} x {y} mm, {} mm^2", Readable(chamber.flat_area_mm2)));
-    line(out, "largest circle in it", format!("{} mm across", shown::rounded(chamber.width_mm)));
+    line(page, "flat", format!("{x} x {y} mm, {} mm^2", Readable(chamber.flat_area_mm2)));
+    line(page, "largest circle in it", format!("{} mm across", shown::rounded(chamber.width_mm)));
     let ranges = chamber.ranges;
     let [along_x, along_y] = ranges.map(|ranges| ranges.extents_mm).map_or([None; 2], |ends| ends.map(Some));
-    line(out, "inflated, along x", chamber.extents_mm.map(|[x, _]| number(x, along_x, "mm")));
-    line(out, "inflated, along y", chamber.extents_mm.map(|[_, y]| number(y, along_y, "mm")));
-    line(out, "height", place(chamber.height_mm, ranges.map(|ranges| ranges.height_mm), "mm"));
+    line(page, "inflated, along x", chamber.extents_mm.map(|[x, _]| number(x, along_x, "mm")));
+    line(page, "inflated, along y", chamber.extents_mm.map(|[_, y]| number(y, along_y, "mm")));
+    line(page, "height", place(chamber.height_mm, ranges.map(|ranges| ranges.height_mm), "mm"));
     let pull = place(chamber.seal_pull_N_per_mm, ranges.map(|ranges| ranges.seal_pull_N_per_mm), "N/mm");
-    line(out, "largest pull on the seal", pull);
+    line(page, "largest pull on the seal", pull);
     for seam in chamber.seams.iter().filter(|seams| seams.len() > 1).flatten() {
         let pull = seam.pull_N_per_mm;
-        line(out, &format!("  {}", seam.seam), place(Some(pull), ranges.map(|_| pull_range(pull)), "N/mm"));
+        line(page, &format!("  {}", seam.seam), place(Some(pull), ranges.map(|_| pull_range(pull)), "N/mm"));
     }
     line(
-        out,
+        page,
         "volume",
         chamber.volume_mm3.map(|volume| litres(volume, ranges.map(|ranges| ranges.volume_mm3))),
     );
-    line(out, "largest stretch", place(chamber.largest_stretch, None, ""));
-    line(out, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
-    let stays = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
+    line(page, "largest stretch", place(chamber.largest_stretch, None, ""));
+    line(page, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
+    let plane_text = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
         let word = plane.answer();
         if !is_full {
             return word.to_owned();
         }
         format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
     });
-    line(out, "stays in its plane", stays);
+    line(page, "stays in its plane", plane_text);
     if !is_full {
         return;
     }
     let wrinkles = chamber.wrinkles.map_or(String::new(), |how| format!(", wrinkles {how}"));
-    line(out, "bendability", chamber.bendability.map(|number| shown::rounded(number) + &wrinkles));
-    line(out, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));
+    line(page, "bendability", chamber.bendability.map(|number| shown::rounded(number) + &wrinkles));
+    line(page, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));
 }
 
 /// `value` with its range, which contains the mesh error; without a range with its mesh error.

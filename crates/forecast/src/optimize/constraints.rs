@@ -104,14 +104,14 @@ impl Shortfalls {
     }
 }
 
-/// Shortfall relative to `least`; a missing value counts as zero.
-fn short(value: Option<f64>, least: f64) -> f64 {
-    ((least - value.unwrap_or(0.0)) / least).max(0.0)
+/// Shortfall relative to `minimum`; a missing value counts as zero.
+fn short(value: Option<f64>, minimum: f64) -> f64 {
+    ((minimum - value.unwrap_or(0.0)) / minimum).max(0.0)
 }
 
-/// Excess relative to `most`.
-fn over(value: f64, most: f64) -> f64 {
-    ((value - most) / most).max(0.0)
+/// Excess relative to `maximum`.
+fn excess(value: f64, maximum: f64) -> f64 {
+    ((value - maximum) / maximum).max(0.0)
 }
 
 /// Relative shortfall of a star with `grip` that does not hold the object of `point`.
@@ -120,7 +120,7 @@ fn object_shortfall(point: &Candidate, grip: &Outcome) -> Option<f64> {
         Grip::TooWideToEnter | Grip::TooWideToOpen => Some(0.1),
         Grip::TooThin => {
             let object = point.load.object_radius.map_or(grip.rest.radius, Length::metres);
-            Some(over(grip.rest.radius, object))
+            Some(excess(grip.rest.radius, object))
         }
         Grip::Beside => Some(1.0),
         Grip::Held(_) | Grip::Unknown(_) | Grip::Untried => None,
@@ -130,56 +130,59 @@ fn object_shortfall(point: &Candidate, grip: &Outcome) -> Option<f64> {
 /// All constraints that `point`, with the values `answer`, violates.
 pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Shortfall> {
     let star = &answer.star;
-    let mut all = Shortfalls(Vec::new());
-    all.add(Constraint::Arms, short(Some(star.l), SHORTEST_ARM * star.w));
+    let mut shortfalls = Shortfalls(Vec::new());
+    shortfalls.add(Constraint::Arms, short(Some(star.l), SHORTEST_ARM * star.w));
     if answer.outcome.is_none() {
-        all.add(Constraint::Model, 10.0);
+        shortfalls.add(Constraint::Model, 10.0);
     }
     if let Some(grip) = &answer.grip {
         if is_at_pressure(point.model) && grip.ranges.domain != Domain::Validated {
             // The more the further out: so that a search finds its way in.
-            all.add(Constraint::Untried, LEAST_UNTRIED + outside_by(&answer.case));
+            shortfalls.add(Constraint::Untried, LEAST_UNTRIED + outside_by(&answer.case));
         }
         let forceful =
             constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
         if is_at_pressure(point.model) && forceful {
             // The overlap of the arms, as the tips' angle by which they pass contact, rad.
             let depth = answer.case.mechanism.correction.contact_angle - grip.rest.equilibrium;
-            all.add(Constraint::Touching, if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 });
+            shortfalls.add(Constraint::Touching, if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 });
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
             let widest = mm(grip.rest.widest.radius);
             let least_sure = grip.ranges.radius.map_or(grip.rest.radius, |[_, high]| high);
-            all.add(Constraint::Closing, over(mm(least_sure), close.0));
-            all.add(Constraint::Opening, short(Some(widest), open.0 * (1.0 + ROUNDING)));
+            shortfalls.add(Constraint::Closing, excess(mm(least_sure), close.0));
+            shortfalls.add(Constraint::Opening, short(Some(widest), open.0 * (1.0 + ROUNDING)));
         }
         let entering =
             constraints.grasp.map(|[_, open]| open.0).into_iter().chain(constraints.hole.map(|hole| hole.0));
         if let Some(entering) = entering.reduce(f64::max) {
-            all.add(Constraint::InnerRadius, short(Some(star.hole(&point.seal)), entering));
+            shortfalls.add(Constraint::InnerRadius, short(Some(star.hole(&point.seal)), entering));
         }
-        if let Some(most) = constraints.largest_force {
+        if let Some(largest_force) = constraints.largest_force {
             // An unknown force may be too large; an object that is not held has a shortfall of its grip.
             let unknown = if matches!(grip.hold, Some(Grip::Untried | Grip::Held(_))) { 1.0 } else { 0.0 };
-            all.add(Constraint::Pressing, most_force(point, grip).map_or(unknown, |force| over(force, most)));
+            shortfalls.add(
+                Constraint::Pressing,
+                most_force(point, grip).map_or(unknown, |force| excess(force, largest_force)),
+            );
         }
         if let Some(part) = object_shortfall(point, grip) {
-            all.add(Constraint::Object, part);
+            shortfalls.add(Constraint::Object, part);
         }
     }
     if let Some(payload) = constraints.payload {
-        all.add(Constraint::Payload, short(sure_payload(point, answer), payload));
+        shortfalls.add(Constraint::Payload, short(sure_payload(point, answer), payload));
     }
     if let Some(side) = constraints.sheet {
         let reach = star.tip_reach() + point.seal.band.0 + point.seal.allowance.0;
-        all.add(Constraint::Sheet, over(2.0 * reach, side.0));
+        shortfalls.add(Constraint::Sheet, excess(2.0 * reach, side.0));
     }
-    if let Some(least) = constraints.burst_margin {
+    if let Some(minimum) = constraints.burst_margin {
         let margin = answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0);
-        all.add(Constraint::Burst, short(margin, least));
+        shortfalls.add(Constraint::Burst, short(margin, minimum));
     }
-    all.0
+    shortfalls.0
 }
 
 /// Whether a model applies at the star's pressure, unlike a limit selected by name.
@@ -188,8 +191,8 @@ pub fn is_at_pressure(model: ModelChoice) -> bool {
 }
 
 /// The largest force with which it may press while its flap stays straight, N, beyond the upper end of its range; `None` if unknown.
-fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
-    match (own.flap, own.object_force()) {
+fn most_force(point: &Candidate, outcome: &Outcome) -> Option<f64> {
+    match (outcome.flap, outcome.object_force()) {
         (Some(FlapForce { range: Some([_, high]), .. }), _) => Some(high / SEARCHED),
         (Some(FlapForce { force: Some(force), .. }), _) if !is_at_pressure(point.model) => Some(force),
         // The star passes above or below the object.

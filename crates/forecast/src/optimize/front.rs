@@ -15,9 +15,9 @@ pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
     });
     let mut front: Vec<Evaluation> = Vec::new();
     for candidate in candidates {
-        let reached = goals(&candidate);
+        let values = goals(&candidate);
         // Sorted by contraction: only candidates already kept can beat or equal this one.
-        let beaten = front.iter().map(goals).any(|other| (0..3).all(|k| other[k] <= reached[k]));
+        let beaten = front.iter().map(goals).any(|other| (0..3).all(|k| other[k] <= values[k]));
         if !beaten {
             front.push(candidate);
         }
@@ -26,10 +26,10 @@ pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
 }
 
 /// Every `of`-th of `candidates`, ends included: a front has hundreds, a table a dozen.
-pub fn thinned(candidates: &[Evaluation], most: usize) -> Vec<Evaluation> {
+pub fn thinned(candidates: &[Evaluation], max_count: usize) -> Vec<Evaluation> {
     let count = candidates.len();
-    if count <= most || most < 2 {
-        return candidates.iter().take(most.max(1)).cloned().collect();
+    if count <= max_count || max_count < 2 {
+        return candidates.iter().take(max_count.max(1)).cloned().collect();
     }
-    (0..most).map(|i| candidates[i * (count - 1) / (most - 1)].clone()).collect()
+    (0..max_count).map(|i| candidates[i * (count - 1) / (max_count - 1)].clone()).collect()
 }

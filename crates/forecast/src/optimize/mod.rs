@@ -160,9 +160,9 @@ impl<'a> DesignSearch<'a> {
 
     /// Searches.
     pub fn run(&self) -> SearchResult {
-        let all: Vec<u32> = self.bounds.points.clone().collect();
+        let point_counts: Vec<u32> = self.bounds.points.clone().collect();
         let evaluations: Vec<Vec<Evaluation>> =
-            all.into_par_iter().map(|points| self.with_points(points)).collect();
+            point_counts.into_par_iter().map(|points| self.with_points(points)).collect();
         let computed = evaluations.iter().map(Vec::len).sum();
         let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
         let mut best: Vec<Evaluation> =
@@ -193,8 +193,8 @@ impl<'a> DesignSearch<'a> {
         // The design that is written is the one that is judged; the ends of the box are exact.
         let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
             std::array::from_fn(|k| {
-                let [least, most] = sides[k];
-                thousandths(least + place[k] * (most - least)).clamp(least, most)
+                let [minimum, maximum] = sides[k];
+                thousandths(minimum + place[k] * (maximum - minimum)).clamp(minimum, maximum)
             });
         let mut point = self.base.clone();
         let star = &mut point.star;
@@ -228,22 +228,22 @@ impl<'a> DesignSearch<'a> {
             return point.answer(self.table).ok();
         }
         let to = to.min(point.most_stars()).max(from);
-        let Some(needed) = self.constraints.payload else {
+        let Some(payload) = self.constraints.payload else {
             point.stars = if self.goal == Goal::Payload { to } else { from };
             return point.answer(self.table).ok();
         };
         let answer = point.answer(self.table).ok()?;
-        let Some(sure) = sure_payload(point, &answer) else { return Some(answer) };
-        if sure >= needed || to == from {
+        let Some(safe) = sure_payload(point, &answer) else { return Some(answer) };
+        if safe >= payload || to == from {
             return Some(answer);
         }
         // No star presses harder than one at the object's middle: fewer than these do not hold it.
         let of_one_star = sure_payload(point, &answer.of_stars(1)).unwrap_or(0.0);
-        let least = (from + 1..=to).find(|count| f64::from(*count) * of_one_star >= needed).unwrap_or(to);
-        for count in least..=to {
+        let fewest = (from + 1..=to).find(|count| f64::from(*count) * of_one_star >= payload).unwrap_or(to);
+        for count in fewest..=to {
             point.stars = count;
             let answer = point.answer(self.table).ok()?;
-            if count == to || sure_payload(point, &answer).is_none_or(|sure| sure >= needed) {
+            if count == to || sure_payload(point, &answer).is_none_or(|safe| safe >= payload) {
                 return Some(answer);
             }
         }
@@ -252,8 +252,8 @@ impl<'a> DesignSearch<'a> {
 
     /// `point`, whose values are `answer`, with its violation of the constraints.
     fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
-        let all = shortfalls(&point, answer, self.constraints);
-        let violation = all.iter().map(|shortfall| shortfall.part).sum();
+        let shortfalls = shortfalls(&point, answer, self.constraints);
+        let violation = shortfalls.iter().map(|shortfall| shortfall.part).sum();
         Evaluation { point, answer: *answer, violation }
     }
 
@@ -267,18 +267,20 @@ impl<'a> DesignSearch<'a> {
         let mut scanned: Vec<(UnitPoint, Evaluation)> = scanned.collect();
         scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
-        let mut all: Vec<Evaluation> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
+        let mut evaluations: Vec<Evaluation> =
+            scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
         if varied.is_empty() {
-            return all;
+            return evaluations;
         }
         for start in starts {
-            self.descend(points, start, &varied, &mut all);
+            self.descend(points, start, &varied, &mut evaluations);
         }
         // A design with fewer stars is a step away that no descent takes: each lower number is searched by itself, from its least
         // violation.
-        let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
-        let from = *self.bounds.stars.start();
-        for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
+        let best =
+            evaluations.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
+        let fewest = *self.bounds.stars.start();
+        for count in (fewest..best).filter(|_| self.constraints.payload.is_some()) {
             let bounds = SearchBounds { stars: count..=count, ..self.bounds.clone() };
             let fewer = DesignSearch { bounds: &bounds, ..*self };
             // All stars are assumed to meet the object's middle; this only selects starting points.
@@ -289,18 +291,18 @@ impl<'a> DesignSearch<'a> {
             let places = scanned.iter().map(missed);
             let Some((place, _)) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
             let Some(start) = fewer.at(points, &place).map(|one| (place, one)) else { continue };
-            fewer.descend(points, start, &varied, &mut all);
+            fewer.descend(points, start, &varied, &mut evaluations);
         }
-        all
+        evaluations
     }
 
-    /// The search downwards from `start`; all designs on the way go to `all`.
+    /// The search downwards from `start`; all designs on the way go to `evaluations`.
     fn descend(
         &self,
         points: u32,
         start: (UnitPoint, Evaluation),
         varied: &[usize],
-        all: &mut Vec<Evaluation>,
+        evaluations: &mut Vec<Evaluation>,
     ) {
         let (mut place, mut best) = start;
         let (mut step, mut failed) = (0.1, 0);
@@ -308,7 +310,7 @@ impl<'a> DesignSearch<'a> {
             let mut moved = false;
             for trial in polled(place, step, varied, round) {
                 let Some(next) = self.at(points, &trial) else { continue };
-                all.push(next.clone());
+                evaluations.push(next.clone());
                 if compare(&next, &best, self.goal).is_lt() {
                     (place, best, moved) = (trial, next, true);
                     break;

@@ -43,14 +43,14 @@ pub(super) fn polled(place: UnitPoint, step: f64, varied: &[usize], round: u32) 
         if length > 0.0 { direction.iter().map(|x| x / length).collect() } else { direction }
     };
     let direction = |k: usize, i: usize| f64::from(u8::from(i == k)) - 2.0 * normal[i] * normal[k];
-    let towards = |k: usize, sign: f64| {
+    let neighbour = |k: usize, sign: f64| {
         let mut trial = place;
         for (i, axis) in varied.iter().enumerate() {
             trial[*axis] = (trial[*axis] + sign * step * direction(k, i)).clamp(0.0, 1.0);
         }
         trial
     };
-    (0..varied.len()).flat_map(|k| [towards(k, -1.0), towards(k, 1.0)]).collect()
+    (0..varied.len()).flat_map(|k| [neighbour(k, -1.0), neighbour(k, 1.0)]).collect()
 }
 
 #[cfg(test)]
@@ -62,8 +62,13 @@ mod tests {
     fn the_scan_mirrors_digits() {
         assert_eq!(scanned(1, &[0, 1, 2, 3])[..4], [1.0 / 2.0, 1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0]);
         let expected = [3.0 / 8.0, 2.0 / 9.0, 6.0 / 25.0, 6.0 / 7.0];
-        let found = scanned(6, &[0, 1, 2, 3]);
-        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-15));
+        let first_places = scanned(6, &[0, 1, 2, 3]);
+        assert!(
+            first_places
+                .iter()
+                .zip(expected)
+                .all(|(first_places, expected)| (first_places - expected).abs() < 1e-15)
+        );
         assert_eq!(scanned(3, &[4]), [0.0, 0.0, 0.0, 0.0, 0.75, 0.0]);
     }
 
@@ -71,10 +76,10 @@ mod tests {
     fn a_poll_goes_as_far_in_directions_that_stand_upright_on_each_other() {
         let (place, varied) = ([0.5; AXES], [0, 1, 3, 5]);
         for round in 0..9 {
-            let all = polled(place, 0.1, &varied, round);
-            assert_eq!(all.len(), 8);
+            let places = polled(place, 0.1, &varied, round);
+            assert_eq!(places.len(), 8);
             let moved: Vec<Vec<f64>> =
-                all.iter().map(|to| to.iter().zip(place).map(|(to, from)| to - from).collect()).collect();
+                places.iter().map(|to| to.iter().zip(place).map(|(to, from)| to - from).collect()).collect();
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
             for (i, a) in moved.iter().enumerate() {
                 assert!((dot(a, a) - 0.01).abs() < 1e-12 && a[2] == 0.0 && a[4] == 0.0);

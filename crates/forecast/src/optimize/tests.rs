@@ -20,11 +20,11 @@ fn table() -> RingTable {
 
 #[test]
 fn the_papers_star_contracts_most_with_four_or_five_points() {
-    let found =
+    let result =
         DesignSearch::new(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table()).run();
-    assert!([4, 5].contains(&found.best[0].point.star.points), "{:?}", found.best[0].point.star);
+    assert!([4, 5].contains(&result.best[0].point.star.points), "{:?}", result.best[0].point.star);
     // n = 8 has arms of 6 mm, too short, and comes after all others; n = 9 has none.
-    assert!(found.best.len() == 6 && found.best[5].violation > 0.0);
+    assert!(result.best.len() == 6 && result.best[5].violation > 0.0);
 }
 
 #[test]
@@ -37,9 +37,9 @@ fn the_optimum_is_the_best_of_a_dense_grid() {
     };
     let constraints =
         Constraints { payload: Some(0.5), grasp: Some([20.0, 47.0].map(Length)), ..Constraints::default() };
-    let table = table();
-    let found = DesignSearch::new(&base(), &bounds, &constraints, Goal::Fabric, &table).run();
-    let best = found.best[0].clone();
+    let ring_table = table();
+    let result = DesignSearch::new(&base(), &bounds, &constraints, Goal::Fabric, &ring_table).run();
+    let best = result.best[0].clone();
     assert_eq!(best.violation, 0.0);
     for n in 4..=5 {
         for i in 0..=60 {
@@ -48,7 +48,7 @@ fn the_optimum_is_the_best_of_a_dense_grid() {
                 point.star.points = n;
                 point.star.tip_angle = Angle(20.0 + 37.0 * f64::from(i) / 60.0);
                 point.star.tube_width = Length(15.0 + 25.0 * f64::from(j) / 60.0);
-                if let Ok(answer) = point.answer(&table)
+                if let Ok(answer) = point.answer(&ring_table)
                     && shortfalls(&point, &answer, &constraints).is_empty()
                     && let Some(area) = answer.fabric
                 {
@@ -73,22 +73,25 @@ fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
     };
     let constraints =
         Constraints { payload: Some(0.6), grasp: Some([25.0, 38.0].map(Length)), ..Constraints::default() };
-    let table = table();
-    let found = DesignSearch::new(&base, &bounds, &constraints, Goal::Fabric, &table).run();
-    assert!(found.best[0].violation == 0.0, "{:?}", found.best[0]);
-    for best in found.best.iter().filter(|best| best.violation == 0.0) {
+    let ring_table = table();
+    let result = DesignSearch::new(&base, &bounds, &constraints, Goal::Fabric, &ring_table).run();
+    assert!(result.best[0].violation == 0.0, "{:?}", result.best[0]);
+    for best in result.best.iter().filter(|best| best.violation == 0.0) {
         for i in 0..=40 {
             for j in 0..=40 {
                 let mut point = base.clone();
                 point.star.points = best.point.star.points;
                 point.star.tip_angle = Angle(20.0 + f64::from(i));
                 point.star.tube_width = Length(12.0 + 17.0 * f64::from(j) / 40.0);
-                let Ok(answer) = point.answer(&table) else { continue };
+                let Ok(answer) = point.answer(&ring_table) else { continue };
                 for stars in 1..=4 {
                     let (point, answer) = (Candidate { stars, ..point.clone() }, answer.of_stars(stars));
                     let area = answer.fabric.map_or(f64::INFINITY, |area| f64::from(stars) * area);
-                    let meets = shortfalls(&point, &answer, &constraints).is_empty();
-                    assert!(!meets || area > 0.995 * best.fabric(), "{point:?} is smaller than {best:?}");
+                    let is_feasible = shortfalls(&point, &answer, &constraints).is_empty();
+                    assert!(
+                        !is_feasible || area > 0.995 * best.fabric(),
+                        "{point:?} is smaller than {best:?}"
+                    );
                 }
             }
         }
@@ -103,19 +106,23 @@ fn nothing_on_the_front_is_beaten() {
         points: 3..=6,
         ..bounds()
     };
-    let found =
+    let result =
         DesignSearch::new(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table()).run();
-    assert!(found.front.len() > 10 && found.computed > 1000);
-    for (i, a) in found.front.iter().enumerate().step_by(7) {
-        for (j, b) in found.front.iter().enumerate() {
+    assert!(result.front.len() > 10 && result.computed > 1000);
+    for (i, a) in result.front.iter().enumerate().step_by(7) {
+        for (j, b) in result.front.iter().enumerate() {
             let [x, y] = [a, b].map(|of| of.answer.outcome.expect("a limit"));
             let beats =
                 y.contraction >= x.contraction && y.stiffness >= x.stiffness && b.fabric() <= a.fabric();
             assert!(i == j || !beats, "{i} {j}");
         }
     }
-    let shown = thinned(&found.front, 5);
-    assert!(shown.len() == 5 && shown[0] == found.front[0] && shown[4] == found.front[found.front.len() - 1]);
+    let sample = thinned(&result.front, 5);
+    assert!(
+        sample.len() == 5
+            && sample[0] == result.front[0]
+            && sample[4] == result.front[result.front.len() - 1]
+    );
 }
 
 #[test]
@@ -139,13 +146,18 @@ fn at_pressure(angle: f64, width: f64) -> (Candidate, Answer) {
 fn a_star_outside_of_what_was_tried_is_short_the_more_the_further_out() {
     let untried = |angle, width| {
         let (point, answer) = at_pressure(angle, width);
-        let all = shortfalls(&point, &answer, &Constraints::default());
-        let untried = all.into_iter().find(|shortfall| shortfall.constraint == Constraint::Untried);
+        let missed = shortfalls(&point, &answer, &Constraints::default());
+        let untried = missed.into_iter().find(|shortfall| shortfall.constraint == Constraint::Untried);
         untried.map_or(0.0, |shortfall| shortfall.part)
     };
     // Arms of 3.5, 5.5, 6.5 and 8.5 W; five may be.
-    let all = [30.0, 20.0, 18.0, 15.0].map(|angle| untried(angle, 20.0));
-    assert!(all[0] == 0.0 && all[1] > 0.0 && all.windows(2).all(|pair| pair[0] < pair[1]), "{all:?}");
+    let shortfall_by_angle = [30.0, 20.0, 18.0, 15.0].map(|angle| untried(angle, 20.0));
+    assert!(
+        shortfall_by_angle[0] == 0.0
+            && shortfall_by_angle[1] > 0.0
+            && shortfall_by_angle.windows(2).all(|pair| pair[0] < pair[1]),
+        "{shortfall_by_angle:?}"
+    );
 }
 
 #[test]
@@ -154,14 +166,14 @@ fn a_force_of_which_nothing_is_known_counts_for_nothing() {
     let (mut point, _) = at_pressure(17.0, 20.0);
     point.load.object_radius = Some(Length(46.0));
     let answer = point.answer(&table()).expect("there is such a star");
-    let own = answer.outcome.expect("a radius");
-    assert!(own.known && own.stiffness.is_none() && own.object_force().is_none(), "{own:?}");
+    let outcome = answer.outcome.expect("a radius");
+    assert!(outcome.known && outcome.stiffness.is_none() && outcome.object_force().is_none(), "{outcome:?}");
     assert_eq!((sure_payload(&point, &answer), answer.payload), (None, None));
     let constraints = Constraints { payload: Some(0.1), largest_force: Some(1e3), ..Constraints::default() };
-    let all = shortfalls(&point, &answer, &constraints);
-    let is_short = |constraint| all.iter().any(|shortfall| shortfall.constraint == constraint);
+    let missed = shortfalls(&point, &answer, &constraints);
+    let is_short = |constraint| missed.iter().any(|shortfall| shortfall.constraint == constraint);
     for constraint in [Constraint::Payload, Constraint::Pressing, Constraint::Touching] {
-        assert!(is_short(constraint), "{constraint:?}: {all:?}");
+        assert!(is_short(constraint), "{constraint:?}: {missed:?}");
     }
 }
 
@@ -169,12 +181,12 @@ fn a_force_of_which_nothing_is_known_counts_for_nothing() {
 fn searches_count_on_less_than_the_end_of_a_force_s_range() {
     let (point, answer) = at_pressure(30.0, 25.0);
     let [low, _] = answer.payload_range.expect("it holds the object");
-    let sure = sure_payload(&point, &answer).expect("known");
-    assert!(low > 0.0 && sure.total_cmp(&(SEARCHED * low)).is_eq(), "{sure} {low}");
-    let asked = |payload: f64| {
+    let safe = sure_payload(&point, &answer).expect("known");
+    assert!(low > 0.0 && safe.total_cmp(&(SEARCHED * low)).is_eq(), "{safe} {low}");
+    let misses_payload = |payload: f64| {
         let constraints = Constraints { payload: Some(payload), ..Constraints::default() };
-        let all = shortfalls(&point, &answer, &constraints);
-        all.iter().any(|shortfall| shortfall.constraint == Constraint::Payload)
+        let missed = shortfalls(&point, &answer, &constraints);
+        missed.iter().any(|shortfall| shortfall.constraint == Constraint::Payload)
     };
-    assert!(!asked(0.99 * sure) && asked(0.5 * (sure + low)));
+    assert!(!misses_payload(0.99 * safe) && misses_payload(0.5 * (safe + low)));
 }

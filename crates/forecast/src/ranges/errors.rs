@@ -48,8 +48,8 @@ pub fn flat_begins(flat_hole: f64, width: f64) -> f64 {
 
 /// By how much the range of a force is wider than [`FORCE`] on an object that leaves a gap of `gap` W to the flat tube's hole.
 pub fn flat_unit(gap: f64) -> f64 {
-    let [begins, reached] = FLAT_GAPS;
-    1.0 + (NEARLY_FLAT - 1.0) * ((begins - gap) / (begins - reached)).clamp(0.0, 1.0)
+    let [begins, least_gap] = FLAT_GAPS;
+    1.0 + (NEARLY_FLAT - 1.0) * ((begins - gap) / (begins - least_gap)).clamp(0.0, 1.0)
 }
 
 /// nu of the computed stars.
@@ -62,8 +62,8 @@ const BEYOND_POISSON: f64 = 1.5;
 /// By how much the ranges of stiffness and force of fabric with `nu` are wider than [`STIFFNESS`] and [`FORCE`]: the more, the farther it lies
 /// from that of the computed stars.
 pub fn poisson_unit(nu: f64) -> f64 {
-    let [least, most] = POISSON_REACHED;
-    let end = if nu < POISSON { least } else { most };
+    let [smallest, largest] = POISSON_REACHED;
+    let end = if nu < POISSON { smallest } else { largest };
     1.0 + (BEYOND_POISSON - 1.0) * (nu - POISSON) / (end - POISSON)
 }
 
@@ -135,8 +135,8 @@ pub const EXTRAPOLATED_MESSAGE: &str = "few stars like this one, or none, were c
 
 /// 1/eps that was tried of fabric of t/W = `slender`: from 100 on, of thin fabric from more on.
 pub fn bendability(slender: f64) -> Interval {
-    let ([least, most], thin) = (BENDABILITY, thinness(slender));
-    [if thin > 0.0 { least * libm::pow(THIN_BENDABILITY / least, thin) } else { least }, most]
+    let ([lowest, highest], thin) = (BENDABILITY, thinness(slender));
+    [if thin > 0.0 { lowest * libm::pow(THIN_BENDABILITY / lowest, thin) } else { lowest }, highest]
 }
 
 /// [`HINGE`] of fabric of t/W = `slender`, wider where that is thin.

@@ -50,8 +50,8 @@ pub struct Ranges {
 impl Ranges {
     /// Ranges of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
-        let Some((domain, wider)) = domain(case, inflated) else { return Self::default() };
-        let about =
+        let Some((place, wider)) = domain(case, inflated) else { return Self::default() };
+        let range_about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
         let unit = errors::radius_unit(star.points);
@@ -59,11 +59,11 @@ impl Ranges {
         let stiffer = wider * by_fabric * errors::stiffness_unit(star.points);
         // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;
-        let radius = about(rest.radius, errors::RADIUS, unit * star.width / star.sector_sine())
+        let radius = range_about(rest.radius, errors::RADIUS, unit * star.width / star.sector_sine())
             .map(|end| end.max(0.0));
-        let angle = about(rest.equilibrium, errors::ANGLE, unit);
+        let angle = range_about(rest.equilibrium, errors::ANGLE, unit);
         Self {
-            domain,
+            domain: place,
             wider,
             by_fabric,
             flat_hole: case.inner_radius,
@@ -90,9 +90,10 @@ impl Ranges {
     /// If the model closes the star further than at the edge, a shell closes it at least as far; if the model opens it,
     /// a shell opens it by no more. So the upper end of the final radius stops widening with the pressure.
     #[must_use]
-    pub fn bounded(self, edge: &Self, [here, there]: [f64; 2]) -> Self {
-        let bound =
-            |[near, far]: Interval, [_, most]: Interval| [near, far.min(most + (here - there).max(0.0))];
+    pub fn bounded(self, edge: &Self, [radius, edge_radius]: [f64; 2]) -> Self {
+        let bound = |[low, high]: Interval, [_, edge_high]: Interval| {
+            [low, high.min(edge_high + (radius - edge_radius).max(0.0))]
+        };
         Self {
             radius: self.radius.zip(edge.radius).map_or(self.radius, |(own, edge)| Some(bound(own, edge))),
             ..self
@@ -110,16 +111,16 @@ impl Ranges {
         let begins = [rest.radius + errors::OPENING * width, errors::flat_begins(self.flat_hole, width)];
         let floors =
             begins.into_iter().filter(|begins| (rest.radius..rho).contains(begins)).filter_map(|begins| {
-                let there = grasp.force(begins);
-                let [floor, _] = self.force_alone(grasp, there, begins, rest)?;
-                Some(grown(floor, there, force))
+                let edge_force = grasp.force(begins);
+                let [floor, _] = self.force_alone(grasp, edge_force, begins, rest)?;
+                Some(scaled_floor(floor, edge_force, force))
             });
         Some([floors.fold(low, f64::max), high])
     }
 
     /// The range of the force on this object alone, without the edge.
     fn force_alone(&self, grasp: &Grasp, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
-        let [near, far] = self.radius?;
+        let [low_radius, high_radius] = self.radius?;
         let opened = (rho - rest.radius) / grasp.width();
         if opened > errors::OPENING_REACHED {
             return None;
@@ -133,19 +134,19 @@ impl Ranges {
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
         // Arms that touch: the radius without contact is as uncertain.
-        let [least, most] =
-            [far, near].map(|from| grasp.force_from(rho, grasp.free_radius() + (from - rest.radius)));
+        let [least_force, greatest_force] = [high_radius, low_radius]
+            .map(|from| grasp.force_from(rho, grasp.free_radius() + (from - rest.radius)));
         Some([
-            (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
-            force + libm::hypot(most - force, force * (high - 1.0)),
+            (force - libm::hypot(force - least_force, force * (1.0 - low))).max(0.0),
+            force + libm::hypot(greatest_force - force, force * (high - 1.0)),
         ])
     }
 }
 
-/// The least force, N, of a shell that pressed with at least `floor` where the model presses with `there`, if the model presses with `here`
+/// The least force, N, of a shell that pressed with at least `floor` where the model presses with `edge_force`, if the model presses with `force`
 /// now: a force that grows stays above that, and one that falls does so in proportion.
-pub(super) fn grown(floor: f64, there: f64, here: f64) -> f64 {
-    floor * (here / there).min(1.0)
+pub(super) fn scaled_floor(floor: f64, edge_force: f64, force: f64) -> f64 {
+    floor * (force / edge_force).min(1.0)
 }
 
 /// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.
@@ -170,20 +171,20 @@ pub(super) struct TriedRatio {
 }
 
 impl TriedRatio {
-    /// A number without computed stars outside of `tried`: ranges reach a little further.
-    pub(super) fn new(what: &'static str, x: f64, tried: Interval) -> Self {
-        let reached = [tried[0] / errors::NOT_FAR, tried[1] * errors::NOT_FAR];
-        Self { what, x, tried, reached, wider: errors::BEYOND }
+    /// A number without computed stars outside of `validated`: ranges reach a little further.
+    pub(super) fn new(quantity: &'static str, x: f64, validated: Interval) -> Self {
+        let extended = [validated[0] / errors::NOT_FAR, validated[1] * errors::NOT_FAR];
+        Self { what: quantity, x, tried: validated, reached: extended, wider: errors::BEYOND }
     }
 
-    /// A number with the stars of the set `wide` between `tried` and `reached`.
-    fn reaching(self, reached: Interval, wider: f64) -> Self {
-        Self { reached, wider, ..self }
+    /// A number with the stars of the set `wide` between `tried` and `extended`.
+    fn reaching(self, extended: Interval, wider: f64) -> Self {
+        Self { reached: extended, wider, ..self }
     }
 
     /// How far it lies outside, from 0 where many stars were tried to 1 where ranges end: by its logarithm.
     fn far(&self) -> f64 {
-        let ([low, high], [least, most]) = (self.tried, self.reached);
+        let ([low, high], [lowest, highest]) = (self.tried, self.reached);
         if self.x >= low && self.x <= high {
             return 0.0;
         }
@@ -191,8 +192,8 @@ impl TriedRatio {
             |factor: f64, end: f64| if factor > EXACT { libm::log(factor) / libm::log(end) } else { 0.0 };
         match self.x {
             x if x.is_nan() => f64::INFINITY,
-            x if x >= low => part(x / high, most / high),
-            x => part(low / x.max(0.0), low / least),
+            x if x >= low => part(x / high, highest / high),
+            x => part(low / x.max(0.0), low / lowest),
         }
     }
 
@@ -220,9 +221,9 @@ pub(super) fn widening<'a>(places: impl IntoIterator<Item = &'a TriedRatio>) -> 
 /// change correctly: see [`Ranges::bounded`].
 pub fn pressure_edge(case: &Case) -> Option<f64> {
     let pressure = case.pressure?;
-    let places = places(case, pressure);
-    let place = places.iter().find(|place| place.what == BENDABILITY && place.x > place.tried[1])?;
-    let by_sizes = places.iter().filter(|place| place.what != BENDABILITY);
+    let tried_places = places(case, pressure);
+    let place = tried_places.iter().find(|place| place.what == BENDABILITY && place.x > place.tried[1])?;
+    let by_sizes = tried_places.iter().filter(|place| place.what != BENDABILITY);
     let distance = (widening(by_sizes)? - 1.0) / (place.wider - 1.0);
     let edge = place.tried[1] * libm::pow(place.reached[1] / place.tried[1], distance);
     (place.x > EXACT * edge && place.x.is_finite()).then(|| pressure * edge / place.x)
@@ -269,22 +270,22 @@ pub fn outside_by(case: &Case) -> f64 {
 /// A message with the quantity of `case` outside of the validated domain: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
 pub fn outside(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };
-    let out = places(case, pressure).into_iter().filter(|place| place.far() > 0.0);
-    let mut out: Vec<String> = out
+    let untried = places(case, pressure).into_iter().filter(|place| place.far() > 0.0);
+    let mut texts: Vec<String> = untried
         .map(|TriedRatio { what, x, tried: [low, high], .. }| {
             let [x, low, high] = [x, low, high].map(|x| Readable((1e4 * x).round() / 1e4));
             format!("{what} is {x} (tried: {low} to {high})")
         })
         .collect();
-    if out.is_empty() {
+    if texts.is_empty() {
         let slender = case.sheet.thickness / case.mechanism.width;
-        out.push(format!(
+        texts.push(format!(
             "the tables of arms do not cover hinges with t/W of {slender:.4} at a stretch of {:.1} % (they \
              cover t/W of 0.005 to 0.03)",
             100.0 * case.sheet.stretch(pressure, case.mechanism.width)
         ));
     }
-    out.join("; ")
+    texts.join("; ")
 }
 
 /// The ranges of a prediction, in its units: `None` if unknown.

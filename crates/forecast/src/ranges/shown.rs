@@ -4,11 +4,11 @@ use crate::interval::{Interval, scaled};
 use spec::units::Readable;
 use std::fmt::Write;
 
-/// Adds `what` with its value to a page, if it has one.
-pub fn line(out: &mut String, what: &str, value: impl Into<Option<String>>) {
+/// Adds `quantity` with its value to a page, if it has one.
+pub fn line(page: &mut String, quantity: &str, value: impl Into<Option<String>>) {
     if let Some(value) = value.into() {
         // Writing to a String never fails.
-        let _ = writeln!(out, "  {what:30}{value}");
+        let _ = writeln!(page, "  {quantity:30}{value}");
     }
 }
 
@@ -45,17 +45,19 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     if [value, low, high] == [0.0; 3] {
         return format!("0{gap}{unit}");
     }
-    let step = step(high - low);
+    let rounding_step = step(high - low);
     // Ends are rounded outwards, so the printed range holds. A small low end keeps a digit: 5 to 140, not 0 to 140.
-    let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
-    let ends = [end(low, fine, f64::floor, limit), end(high, step, f64::ceil, limit)];
-    let [low, high] = ends.map(|(end, step)| text(end, step));
+    let fine =
+        if low < rounding_step && low >= 0.1 * rounding_step { 0.1 * rounding_step } else { rounding_step };
+    let ends = [end(low, fine, f64::floor, limit), end(high, rounding_step, f64::ceil, limit)];
+    let [low, high] = ends.map(|(end, rounding_step)| text(end, rounding_step));
     let step_of_value = step_of(value, fine);
-    let inside = |step: f64| {
-        let (value, slack) = ((value / step).round() * step, 1e-6 * step);
+    let keeps_inside = |rounding_step: f64| {
+        let (value, slack) = ((value / rounding_step).round() * rounding_step, 1e-6 * rounding_step);
         ends[0].0 <= value + slack && value <= ends[1].0 + slack
     };
-    let step_of_value = finer(step_of_value).find(|step| inside(*step)).unwrap_or(step_of_value);
+    let step_of_value =
+        finer(step_of_value).find(|rounding_step| keeps_inside(*rounding_step)).unwrap_or(step_of_value);
     format!("{}{gap}{unit}, {low} to {high}", text(value, step_of_value))
 }
 
@@ -157,11 +159,11 @@ fn text(number: f64, step: f64) -> String {
         unit *= 0.1;
         decimals += 1;
     }
-    let said = format!("{rounded:.decimals$}");
-    if said.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
-        said.trim_start_matches('-').to_owned()
+    let digits = format!("{rounded:.decimals$}");
+    if digits.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        digits.trim_start_matches('-').to_owned()
     } else {
-        said
+        digits
     }
 }
 
@@ -185,12 +187,12 @@ mod tests {
 
     #[test]
     fn ends_stay_on_their_side_of_the_limit() {
-        let at = |limit: f64| with_limit(40.0, [15.33, 96.5], "kPa", Some(limit));
+        let range_text = |limit: f64| with_limit(40.0, [15.33, 96.5], "kPa", Some(limit));
         assert_eq!(with(40.0, [15.33, 96.5], "kPa"), "40 kPa, 10 to 100");
-        assert_eq!(at(15.0), "40 kPa, 15.3 to 100");
-        assert_eq!(at(15.4), "40 kPa, 10 to 100");
-        assert_eq!(at(97.0), "40 kPa, 10 to 96.5");
-        assert_eq!(at(96.0), "40 kPa, 10 to 100");
+        assert_eq!(range_text(15.0), "40 kPa, 15.3 to 100");
+        assert_eq!(range_text(15.4), "40 kPa, 10 to 100");
+        assert_eq!(range_text(97.0), "40 kPa, 10 to 96.5");
+        assert_eq!(range_text(96.0), "40 kPa, 10 to 100");
         assert_eq!(with_limit(1.6, [0.0043, 3.4], "N", Some(0.0)), "1.6 N, 0.004 to 3.4");
         assert_eq!(with_limit(1.6, [0.0, 3.4], "N", Some(0.0)), "1.6 N, 0.0 to 3.4");
         for k in 1..500 {
@@ -198,14 +200,15 @@ mod tests {
             let high = low + width;
             for part in [-0.3, -1e-3, 1e-3, 0.5, 0.999, 1.001, 1.3] {
                 let limit = low + part * width;
-                let said = with_limit(low, [low, high], "", Some(limit));
-                let ends: Vec<f64> = said.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
+                let range_text = with_limit(low, [low, high], "", Some(limit));
+                let ends: Vec<f64> =
+                    range_text.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
                 assert_eq!(
                     [ends[1] < limit, ends[2] < limit],
                     [low < limit, high < limit],
-                    "{said}: {limit}"
+                    "{range_text}: {limit}"
                 );
-                assert!(ends[1] <= low + 1e-9 && ends[2] >= high - 1e-9, "{said}: {low} {width}");
+                assert!(ends[1] <= low + 1e-9 && ends[2] >= high - 1e-9, "{range_text}: {low} {width}");
             }
         }
     }
@@ -239,9 +242,9 @@ mod tests {
     fn the_ends_that_are_printed_hold() {
         for k in 1..500 {
             let (low, width) = (0.037 * f64::from(k), 0.011 * f64::from(k % 17 + 1));
-            let said = with(low, [low, low + width], "");
-            let ends: Vec<f64> = said.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
-            assert!(ends[1] <= low + 1e-9 && ends[2] >= low + width - 1e-9, "{said}: {low} {width}");
+            let range_text = with(low, [low, low + width], "");
+            let ends: Vec<f64> = range_text.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
+            assert!(ends[1] <= low + 1e-9 && ends[2] >= low + width - 1e-9, "{range_text}: {low} {width}");
         }
     }
 

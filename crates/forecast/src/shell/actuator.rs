@@ -7,17 +7,17 @@ use crate::shell::{Detail, SHELL, fabric, fineness};
 use inflatable::shell::cases::{InflatedShape, Margin, ShellFault, Tube, VActuator, Value, Watch, actuator};
 use inflatable::shell::element::Weave;
 
-/// The prediction of `asked` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
+/// The prediction of `flat_actuator` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
 ///
 /// # Errors
 /// The errors of [`actuator`].
 pub fn actuate(
-    asked: &Actuator,
+    flat_actuator: &Actuator,
     angles: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(ActuatorPrediction, InflatedShape), ShellFault> {
-    let Actuator { width, radius, arm, angle, pressure, sheet } = *asked;
+    let Actuator { width, radius, arm, angle, pressure, sheet } = *flat_actuator;
     let case = VActuator {
         tube: Tube { width, fabric: fabric(&sheet, Weave::ISOTROPIC), pressure },
         radius,
@@ -30,7 +30,7 @@ pub fn actuate(
     let (at_rest, volume) = (inflated.angle.scaled(degrees), inflated.volume.scaled(1e9));
     let touches = inflated.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
     let warnings = [
-        short_arms(asked),
+        short_arms(flat_actuator),
         touches.then(|| "the arms would touch, and this shell has no contact between them".to_owned()),
     ];
     let prediction = ActuatorPrediction {

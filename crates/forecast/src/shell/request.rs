@@ -28,21 +28,21 @@ impl From<PredictFault> for ShellRefusal {
 }
 
 /// A fault that is best mended at `key`.
-pub(crate) fn fault(key: KeyPath, what: String) -> ShellRefusal {
-    ShellRefusal::Fault(PredictFault::new(key, what))
+pub(crate) fn fault(key: KeyPath, problem: String) -> ShellRefusal {
+    ShellRefusal::Fault(PredictFault::new(key, problem))
 }
 
 /// The fault of a shell without a pressure.
 pub fn no_pressure() -> ShellRefusal {
     let remedy = Some("set `pressure` in [load]".to_owned());
-    let what = "model shell needs a pressure".to_owned();
-    ShellRefusal::Fault(PredictFault { remedy, ..PredictFault::new(key::load::PRESSURE, what) })
+    let problem = "model shell needs a pressure".to_owned();
+    ShellRefusal::Fault(PredictFault { remedy, ..PredictFault::new(key::load::PRESSURE, problem) })
 }
 
 /// The fault of a pressure, Pa, at which there is no shell.
-fn out_of_range(found: f64, range: Interval) -> PredictFault {
-    let (what, remedy) = outside(SHELL, found, range);
-    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, what) }
+fn out_of_range(pressure: f64, range: Interval) -> PredictFault {
+    let (problem, remedy) = outside(SHELL, pressure, range);
+    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, problem) }
 }
 
 /// The shell's values of a star: each number with its mesh error.
@@ -82,8 +82,8 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let pressure = case.pressure.ok_or_else(no_pressure)?;
     let points = case.mechanism.points;
     if points > MOST_POINTS {
-        let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
-        return Err(fault(key::star::POINTS, what));
+        let problem = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
+        return Err(fault(key::star::POINTS, problem));
     }
     let star = flat_star(case, weave, pressure);
     if star.is_symmetric() { Ok(star) } else { Err(askew(points).into()) }
@@ -91,7 +91,7 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
 
 /// The fault of a star of `points` points whose weave its planes of symmetry do not leave as it is.
 fn askew(points: u32) -> PredictFault {
-    let what = format!(
+    let problem = format!(
         "the shell computes woven stars of 4 points with the warp at a multiple of 45 deg only, where half a sector stands \
          for the star; this one has {points} points"
     );
@@ -100,7 +100,7 @@ fn askew(points: u32) -> PredictFault {
         "{warp}remove `shear_modulus` from [fabric] for isotropic fabric, or compute with the model \"section\", which leaves the \
          weave out; docs/weave.md tells how much a weave changes"
     );
-    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, what) }
+    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, problem) }
 }
 
 /// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
@@ -113,14 +113,14 @@ pub(crate) fn ask(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
-    let flat = flat(case, weave)?;
+    let flat_star = flat(case, weave)?;
     let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
     objects.sort_by(f64::total_cmp);
     objects.dedup();
     if objects.len() > MOST_OBJECTS {
-        let what = format!("{} radii; one call takes at most {MOST_OBJECTS}: give fewer", objects.len());
-        return Err(fault(key::load::OBJECT_DIAMETER, what));
+        let problem = format!("{} radii; one call takes at most {MOST_OBJECTS}: give fewer", objects.len());
+        return Err(fault(key::load::OBJECT_DIAMETER, problem));
     }
     let of_shape = |why: &ShellFault| match why {
         ShellFault::Range { name: Input::Arms, .. } => key::load::PRESSURE,
@@ -128,10 +128,10 @@ pub(crate) fn ask(
         ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
         _ => key::star::TIP_ANGLE,
     };
-    let shell_star = star(&flat, Objects::Radii(&objects), fineness(detail), watch)
+    let shell_star = star(&flat_star, Objects::Radii(&objects), fineness(detail), watch)
         .map_err(|why| refused(&why, "", of_shape))?;
     let measured = Measurements::new(case, object, &shell_star);
-    Ok((flat, shell_star, measured))
+    Ok((flat_star, shell_star, measured))
 }
 
 /// The radius of the object, m, where the star meets it; `None` for an object that does not enter.
@@ -139,13 +139,17 @@ pub(crate) fn entered(case: &Case) -> Option<f64> {
     case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
 }
 
-/// Why the shell refuses `of`, with the key that is best changed; `of_shape` gives it where that depends on the product.
-pub(crate) fn refused(why: &ShellFault, of: &str, of_shape: impl Fn(&ShellFault) -> KeyPath) -> ShellRefusal {
-    let key = match why {
+/// Why the shell refuses `subject`, with the key that is best changed; `of_shape` gives it where that depends on the product.
+pub(crate) fn refused(
+    shell_fault: &ShellFault,
+    subject: &str,
+    of_shape: impl Fn(&ShellFault) -> KeyPath,
+) -> ShellRefusal {
+    let key = match shell_fault {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
         ShellFault::Pressure { found, least, most } => {
             let fault = out_of_range(*found, [*least, *most]);
-            return ShellRefusal::Fault(PredictFault { what: format!("{of}{}", fault.what), ..fault });
+            return ShellRefusal::Fault(PredictFault { what: format!("{subject}{}", fault.what), ..fault });
         }
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
@@ -156,29 +160,29 @@ pub(crate) fn refused(why: &ShellFault, of: &str, of_shape: impl Fn(&ShellFault)
         ShellFault::Range { name: Input::Slenderness | Input::Width | Input::Arms, .. }
         | ShellFault::Mesh(_)
         | ShellFault::TooLarge { .. }
-        | ShellFault::TooMany { .. } => of_shape(why),
+        | ShellFault::TooMany { .. } => of_shape(shell_fault),
     };
-    fault(key, format!("{of}{why}"))
+    fault(key, format!("{subject}{shell_fault}"))
 }
 
 impl Measurements {
-    fn new(case: &Case, object: Option<f64>, found: &InflatedStar) -> Self {
+    fn new(case: &Case, object: Option<f64>, inflated: &InflatedStar) -> Self {
         // Coarse meshes close further, so that an object which only they reach would pull by extrapolation.
         let pressing =
             |(radius, force): &(f64, Value)| (*radius, Value { value: force.value.max(0.0), ..*force });
         Self {
-            radius: found.final_radius.scaled(1e3),
-            contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
-            tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
-            stiffness: found.radial_stiffness,
-            contact: found.preload,
-            contact_area: found.contact_area.scaled(1e6),
-            volume: found.volume.scaled(1e9),
-            forces: found.forces.iter().map(pressing).collect(),
-            slips: found.slips.clone(),
-            opening: found.opening.clone(),
+            radius: inflated.final_radius.scaled(1e3),
+            contraction: inflated.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
+            tip_angle: inflated.tip_angle.scaled(1.0_f64.to_degrees()),
+            stiffness: inflated.radial_stiffness,
+            contact: inflated.preload,
+            contact_area: inflated.contact_area.scaled(1e6),
+            volume: inflated.volume.scaled(1e9),
+            forces: inflated.forces.iter().map(pressing).collect(),
+            slips: inflated.slips.clone(),
+            opening: inflated.opening.clone(),
             object,
-            extremes: found.extremes,
+            extremes: inflated.extremes,
         }
     }
 

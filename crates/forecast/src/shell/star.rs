@@ -4,7 +4,7 @@
 use crate::case::{Case, weave};
 use crate::folding::until_arms_fold;
 use crate::meshed::MeshedPlace;
-use crate::predict::{PredictFault, stars_of, whole};
+use crate::predict::{PredictFault, assembled_prediction, stars_of};
 use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction};
 use crate::ranges::shown::meshed;
 use crate::shell::request::{Measurements, ask, entered, fault};
@@ -54,7 +54,7 @@ pub fn predict(
     };
     let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
     let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
-    Ok((whole(spec, design, stars)?, shape))
+    Ok((assembled_prediction(spec, design, stars)?, shape))
 }
 
 impl ShellRefusal {

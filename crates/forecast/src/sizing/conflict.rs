@@ -110,11 +110,11 @@ impl Finder<'_> {
             let mut context = rest;
             let mut limits = Vec::new();
             for limit in LIMITS.into_iter().filter(|limit| limit.applies(&rest)) {
-                let Some(without) = limit.given_up(&context) else { continue };
-                if self.grippers(&without).is_some() {
+                let Some(loosened) = limit.given_up(&context) else { continue };
+                if self.grippers(&loosened).is_some() {
                     limits.push(limit);
                 } else {
-                    context = without;
+                    context = loosened;
                 }
             }
             if limits.is_empty() {
@@ -182,15 +182,15 @@ impl Finder<'_> {
 
 /// The ways out of several conflicts: one of each, those first that are offered first.
 fn combinations(conflicts: &[Conflict]) -> impl Iterator<Item = Vec<Easing>> {
-    let mut all: Vec<Vec<Easing>> = vec![Vec::new()];
+    let mut lists: Vec<Vec<Easing>> = vec![Vec::new()];
     for conflict in conflicts {
         let ways: Vec<Easing> = OFFERS.into_iter().filter(|easing| conflict.is_solved_by(*easing)).collect();
-        all = all
+        lists = lists
             .iter()
             .flat_map(|begun| ways.iter().map(move |way| [begun.as_slice(), &[*way]].concat()))
             .collect();
     }
-    all.into_iter().take(COMBINATIONS)
+    lists.into_iter().take(COMBINATIONS)
 }
 
 impl Conflict {
@@ -233,14 +233,14 @@ impl Conflict {
 
 /// The reason that needs no search: friction needs more force than all stars of the highest stack may press with.
 fn too_gentle(required: &Requirements) -> Option<String> {
-    let needed = required.mass.0 * GRAVITY / required.friction;
-    let bears = required.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed)?;
-    let [needed, mass, bears] = [
-        Force(three_digits(needed)).to_string(),
+    let needed_force = required.mass.0 * GRAVITY / required.friction;
+    let bears = required.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed_force)?;
+    let [force_text, mass, bears] = [
+        Force(three_digits(needed_force)).to_string(),
         required.mass_in_words(),
         in_unit(bears, required.units.force),
     ];
-    Some(format!("friction needs {needed} to hold {mass}, and the object bears {bears} of each star"))
+    Some(format!("friction needs {force_text} to hold {mass}, and the object bears {bears} of each star"))
 }
 
 /// A positive number in three digits.
@@ -288,19 +288,19 @@ impl Easing {
             }
             Self::Sheet => {
                 let sheet = area(required.room.sheet);
-                let needed = eased.map_or_else(
+                let needed_sheet = eased.map_or_else(
                     || "a larger sheet".to_owned(),
                     |eased| format!("a sheet of {}", area(eased.room.sheet)),
                 );
-                format!("the star needs {needed}: this one is {sheet}")
+                format!("the star needs {needed_sheet}: this one is {sheet}")
             }
             Self::Machine => {
                 let reach = area(required.room.machine);
-                let needed = eased.map_or_else(
+                let needed_bed = eased.map_or_else(
                     || "a larger bed".to_owned(),
                     |eased| format!("a bed of {}", area(eased.room.machine)),
                 );
-                format!("the star needs {needed}: the machine reaches {reach}")
+                format!("the star needs {needed_bed}: the machine reaches {reach}")
             }
             Self::Pressure => {
                 let pressure = required.pressure_in_words().unwrap_or_default();

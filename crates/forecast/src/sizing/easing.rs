@@ -69,8 +69,8 @@ impl Finder<'_> {
             nearest = self.tightened(required, *easing, nearest);
         }
         // A side of the sheet that was long enough stays.
-        let (sheet, needed) = (required.room.sheet, &mut nearest.requirements.room.sheet);
-        *needed = [needed[0].0.max(sheet[0].0), needed[1].0.max(sheet[1].0)].map(Length);
+        let (sheet, needed_sheet) = (required.room.sheet, &mut nearest.requirements.room.sheet);
+        *needed_sheet = [needed_sheet[0].0.max(sheet[0].0), needed_sheet[1].0.max(sheet[1].0)].map(Length);
         Some(nearest)
     }
 
@@ -101,7 +101,7 @@ impl Finder<'_> {
             loose
         } else {
             match easing
-                .enough(&loose)
+                .sufficient_value(&loose)
                 .and_then(|start| self.first_granted(easing, &loose.requirements, start))
             {
                 Some(nearest) => nearest,
@@ -111,7 +111,7 @@ impl Finder<'_> {
         let mut refused = easing.value(required);
         for _ in 0..TRIALS {
             let granted = easing.value(&nearest.requirements);
-            let Some(middle) = easing.between(&nearest.requirements, granted, refused) else { break };
+            let Some(middle) = easing.round_value(&nearest.requirements, granted, refused) else { break };
             match self.grippers(&easing.with(&nearest.requirements, middle)) {
                 Some(nearer) => nearest = nearer,
                 None => refused = middle,
@@ -152,7 +152,7 @@ impl Easing {
     }
 
     /// A value that the best gripper of `loose`, which has none, may meet; of a force without its flap.
-    fn enough(self, loose: &NearestRequirements) -> Option<f64> {
+    fn sufficient_value(self, loose: &NearestRequirements) -> Option<f64> {
         let best = &loose.choices.first()?.best;
         match self {
             Self::Pressure => best.point.load.pressure.map(|pressure| pressure.0),
@@ -223,16 +223,18 @@ impl Easing {
     }
 
     /// A round value between `granted` and `refused`, near their geometric mean; `None` if they are neighbours.
-    fn between(self, required: &Requirements, granted: f64, refused: f64) -> Option<f64> {
+    fn round_value(self, required: &Requirements, granted: f64, refused: f64) -> Option<f64> {
         if !refused.is_finite() || libm::fabs(granted / refused - 1.0) < CLOSE {
             return None;
         }
         let mean = (refused * granted).sqrt();
         let candidates = [granted, refused].map(|end| self.rounded(required, mean, end));
         // Of a value that was rounded to an end, the last digit may differ.
-        let apart = |a: f64, b: f64| libm::fabs(a - b) > 1e-9 * a;
+        let are_distinct = |a: f64, b: f64| libm::fabs(a - b) > 1e-9 * a;
         candidates.into_iter().find(|value| {
-            apart(*value, granted) && apart(*value, refused) && (value - refused) * (granted - value) > 0.0
+            are_distinct(*value, granted)
+                && are_distinct(*value, refused)
+                && (value - refused) * (granted - value) > 0.0
         })
     }
 }

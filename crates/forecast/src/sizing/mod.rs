@@ -190,13 +190,13 @@ fn feasible(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> 
     if choices.is_empty() && result.best.first().is_some_and(|best| best.violation == 0.0) {
         // The best lies where an object just fits in: rounded values may violate the constraint there. In a slightly smaller box they meet
         // it.
-        let inside = Constraints {
+        let inner_constraints = Constraints {
             grasp: searched
                 .grasp
                 .map(|[least, most]| [Length(least.0 * (1.0 - INSIDE)), Length(most.0 * (1.0 + INSIDE))]),
             ..searched
         };
-        choices = round(&search(&inside));
+        choices = round(&search(&inner_constraints));
     }
     choices.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
     let mut areas: Vec<(u32, f64)> =
@@ -235,9 +235,9 @@ impl Requirements {
 
     /// The box of the validated domain; `None` if it has no tube of this fabric.
     fn bounds(&self, base: &Candidate) -> Option<SearchBounds> {
-        let sheet = sheet(&base.fabric).ok()?;
-        let thickness = Length::from_metres(sheet.thickness).0;
-        let [thin, thick] = slenderness(sheet.poisson_ratio);
+        let elastic_sheet = sheet(&base.fabric).ok()?;
+        let thickness = Length::from_metres(elastic_sheet.thickness).0;
+        let [thin, thick] = slenderness(elastic_sheet.poisson_ratio);
         let width = [(thickness / thick).max(WIDTHS[0].0), (thickness / thin).min(WIDTHS[1].0)];
         let flap = base.seal.band.0 + base.seal.hole_allowance.0;
         let hole = self.object.0 + room(self.object).0 + flap;
@@ -254,10 +254,10 @@ impl Requirements {
     }
 
     fn constraints(&self, base: &Candidate, margin: f64) -> Constraints {
-        let room = room(self.object).0;
+        let room_around = room(self.object).0;
         Constraints {
-            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + 0.5 * room)]),
-            hole: Some(Length(self.object.0 + room)),
+            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + 0.5 * room_around)]),
+            hole: Some(Length(self.object.0 + room_around)),
             payload: Some(margin * self.mass.0),
             // A search keeps the same relative margin to the object's force limit as to its mass.
             largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
@@ -295,13 +295,13 @@ const ROUNDED: u32 = 4;
 /// The star in rounded values, if it still meets the requirements: the nearest tenths, or, where the best lies on an edge, those of the
 /// tenths around it that take the least fabric. A pressure that was requested stays `fixed`.
 fn rounded(
-    found: &Evaluation,
+    evaluation: &Evaluation,
     constraints: &Constraints,
     fixed: Option<Pressure>,
     ring: &RingTable,
 ) -> Option<Evaluation> {
-    let to = |whole: &dyn Fn(u32, f64) -> f64| {
-        let mut point = found.point.clone();
+    let rounded_design = |whole: &dyn Fn(u32, f64) -> f64| {
+        let mut point = evaluation.point.clone();
         let tenths = |which: u32, value: f64| whole(which, 10.0 * value) / 10.0;
         let star = &mut point.star;
         star.tube_width = Length(tenths(0, star.tube_width.0));
@@ -314,9 +314,10 @@ fn rounded(
         let missed = shortfalls(&point, &answer, constraints);
         missed.is_empty().then_some(Evaluation { point, answer, violation: 0.0 })
     };
-    let around = |up: u32| move |which: u32, x: f64| if up >> which & 1 == 1 { x.ceil() } else { x.floor() };
-    to(&|_, x| x.round()).or_else(|| {
-        let all = (0..1 << ROUNDED).filter_map(|up| to(&around(up)));
-        all.min_by(|a, b| a.fabric().total_cmp(&b.fabric()))
+    let rounding =
+        |up: u32| move |which: u32, x: f64| if up >> which & 1 == 1 { x.ceil() } else { x.floor() };
+    rounded_design(&|_, x| x.round()).or_else(|| {
+        let roundings = (0..1 << ROUNDED).filter_map(|up| rounded_design(&rounding(up)));
+        roundings.min_by(|a, b| a.fabric().total_cmp(&b.fabric()))
     })
 }

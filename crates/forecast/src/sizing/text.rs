@@ -17,15 +17,15 @@ use std::fmt::{Display, Write};
 /// # Errors
 /// If `name` cannot be a spec's name.
 pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, String> {
-    let mut out = Lines { text: String::new() };
-    out.head(choice);
-    let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);
-    out.fabric(base);
-    out.star(choice);
-    out.stack(choice);
-    out.sheet_and_machine(base);
-    out.load(choice);
-    Ok(out.text)
+    let mut lines = Lines { text: String::new() };
+    lines.head(choice);
+    let _ = write!(lines.text, "schema = 1\nname = {}\n\n", quoted(name)?);
+    lines.fabric(base);
+    lines.star(choice);
+    lines.stack(choice);
+    lines.sheet_and_machine(base);
+    lines.load(choice);
+    Ok(lines.text)
 }
 
 /// The first words of the comments with results of all values together: they become outdated once a value changes.
@@ -60,19 +60,19 @@ impl Lines {
         let _ = writeln!(self.text, "# {text}");
     }
 
-    fn value(&mut self, key: &str, value: impl Display, why: &str) {
+    fn value(&mut self, key: &str, value: impl Display, comment: &str) {
         let line = format!("{key} = {value}");
-        let _ = writeln!(self.text, "{line:34}# {why}");
+        let _ = writeln!(self.text, "{line:34}# {comment}");
     }
 
-    fn quantity(&mut self, key: &str, value: impl Display, why: &str) {
-        self.value(key, format!("\"{value}\""), why);
+    fn quantity(&mut self, key: &str, value: impl Display, comment: &str) {
+        self.value(key, format!("\"{value}\""), comment);
     }
 
     /// A quantity that may be left out.
-    fn optional(&mut self, key: &str, value: Option<impl Display>, why: &str) {
+    fn optional(&mut self, key: &str, value: Option<impl Display>, comment: &str) {
         if let Some(value) = value {
-            self.quantity(key, value, why);
+            self.quantity(key, value, comment);
         }
     }
 
@@ -116,9 +116,9 @@ impl Lines {
 
     fn star(&mut self, choice: &Choice) {
         let (star, outcome) = (&choice.best.point.star, choice.best.answer.outcome.as_ref());
-        let across = outcome.map(|outcome| 2.0 * Length::from_metres(outcome.rest.radius).0);
+        let closed_width = outcome.map(|outcome| 2.0 * Length::from_metres(outcome.rest.radius).0);
         let range = outcome.and_then(|outcome| outcome.ranges.radius).map(|range| scaled(mm(range), 2.0));
-        let closes = shown::known(across, range, "mm across");
+        let closes = shown::known(closed_width, range, "mm across");
         let opens = outcome.map_or(0.0, |outcome| 2e3 * outcome.graspable[1]);
         let areas: Vec<String> =
             choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
@@ -152,17 +152,17 @@ impl Lines {
             Some(range) => shown::known(force, Some(range), "N"),
             None => force.map_or("unknown".to_owned(), |force| format!("{force:.1} N by the model")),
         };
-        let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
+        let needed_force = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
         self.text += "[stack]\n";
         let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
         self.value(
             "count",
             point.stars,
-            &format!("{stars} with {force_text}; {} in all are needed", in_newtons(needed)),
+            &format!("{stars} with {force_text}; {} in all are needed", in_newtons(needed_force)),
         );
         let tube = inflated_height(point.star.tube_width).0;
-        let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
-        self.quantity("pitch", point.star.pitch, &why);
+        let comment = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
+        self.quantity("pitch", point.star.pitch, &comment);
         self.text.push('\n');
     }
 
@@ -183,8 +183,8 @@ impl Lines {
         let profile = base.machine.profile.replace('\\', "\\\\").replace('"', "\\\"");
         self.quantity("profile", profile, "`stargrip-cam machines` lists the others");
         if base.machine.feed_floor == FeedFloor::Chop {
-            let why = "this controller cannot move at the seal's speed: it makes short moves and dwells";
-            self.quantity("feed_floor", "chop", why);
+            let comment = "this controller cannot move at the seal's speed: it makes short moves and dwells";
+            self.quantity("feed_floor", "chop", comment);
         }
         self.text.push('\n');
     }
@@ -194,13 +194,13 @@ impl Lines {
         self.text += "[load]\n";
         let outcome = answer.outcome.as_ref();
         let stretch = outcome.and(answer.case.stretch()).unwrap_or(0.0);
-        let least =
+        let preference =
             if requirements.pressure.is_some() { "" } else { "; less fabric than at other pressures" };
         let burst = answer
             .burst
             .zip(point.load.pressure)
             .map_or(String::new(), |(burst, pressure)| format!(", burst margin {:.2}", burst.0 / pressure.0));
-        let stretches = format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch);
+        let stretches = format!("the fabric stretches {:.1} %{burst}{preference}", 100.0 * stretch);
         let pressure = requirements.pressure_in_words().or_else(|| Some(point.load.pressure?.to_string()));
         self.optional("pressure", pressure, &stretches);
         self.quantity("object_diameter", requirements.width_in_words(), "of the object");
@@ -214,15 +214,16 @@ impl Lines {
         };
         self.value("friction", requirements.friction, friction);
         if is_assumed {
-            let [least, most] = FRICTION_RANGE;
-            self.value("friction_least", least, "lowest expected friction");
-            self.value("friction_most", most, "highest expected friction");
+            let [lowest, highest] = FRICTION_RANGE;
+            self.value("friction_least", lowest, "lowest expected friction");
+            self.value("friction_most", highest, "highest expected friction");
         }
         // The range of an assumed friction, which widens that of `predict`, comes on top.
         let friction_text = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
-        let sure = sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| payload(&[kg]));
+        let safe_payload =
+            sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| payload(&[kg]));
         let range = answer.payload_range.map(|range| format!("; predicted {}", payload(&range)));
-        let mass_text = format!("safe payload {sure}{friction_text}{}", range.unwrap_or_default());
+        let mass_text = format!("safe payload {safe_payload}{friction_text}{}", range.unwrap_or_default());
         self.quantity("mass", requirements.mass_in_words(), &mass_text);
         let bears = "that the object bears from one star, all corners together";
         self.optional("largest_force", requirements.force_in_words(), bears);

@@ -85,17 +85,18 @@ impl Study {
         if self.is_slow {
             return self.run_slowly(rows, cancel, |batch| take(make(batch), 1));
         }
-        let all: Vec<Range<usize>> =
+        let chunks: Vec<Range<usize>> =
             rows.clone().step_by(CHUNK).map(|from| from..rows.end.min(from + CHUNK)).collect();
         let compute = |some: &[Range<usize>]| -> Option<Vec<(T, usize)>> {
-            let one = |chunk: &Range<usize>| Some((make(self.chunk(chunk.clone(), cancel)?), chunk.len()));
-            some.par_iter().map(one).collect()
+            let batch_of =
+                |chunk: &Range<usize>| Some((make(self.chunk(chunk.clone(), cancel)?), chunk.len()));
+            some.par_iter().map(batch_of).collect()
         };
         let mut ready: Vec<(T, usize)> = Vec::new();
-        for some in all.chunks(AT_ONCE) {
-            let before = std::mem::take(&mut ready);
+        for some in chunks.chunks(AT_ONCE) {
+            let computed = std::mem::take(&mut ready);
             let (next, goes_on) =
-                rayon::join(|| compute(some), || before.into_iter().all(|(made, count)| take(made, count)));
+                rayon::join(|| compute(some), || computed.into_iter().all(|(made, count)| take(made, count)));
             match next {
                 Some(next) if goes_on => ready = next,
                 _ => return false,

@@ -15,63 +15,63 @@ pub fn header(columns: &[Column], units: bool) -> String {
 
 /// The lines of `batch`.
 pub fn lines(batch: &RowBatch) -> Vec<u8> {
-    let mut out = Vec::with_capacity(batch.rows.len() * (12 * batch.columns.len() + 8));
+    let mut bytes = Vec::with_capacity(batch.rows.len() * (12 * batch.columns.len() + 8));
     for i in 0..batch.rows.len() {
         for (k, column) in batch.columns.iter().enumerate() {
             if k > 0 {
-                out.push(b',');
+                bytes.push(b',');
             }
             match column {
                 ColumnValues::Real(values) if values[i].is_nan() => {}
-                ColumnValues::Real(values) => real(&mut out, values[i]),
+                ColumnValues::Real(values) => real(&mut bytes, values[i]),
                 // Writing to a Vec never fails.
-                ColumnValues::Whole(values) => drop(write!(out, "{}", values[i])),
-                ColumnValues::Text(values) => text(&mut out, values[i].as_deref()),
+                ColumnValues::Whole(values) => drop(write!(bytes, "{}", values[i])),
+                ColumnValues::Text(values) => text(&mut bytes, values[i].as_deref()),
             }
         }
-        out.push(b'\n');
+        bytes.push(b'\n');
     }
-    out
+    bytes
 }
 
 /// First characters of a cell that spreadsheets read as a formula (OWASP, CSV injection), full-width forms as well.
 const FORMULA: [char; 10] = ['=', '+', '-', '@', '\t', '\r', '＝', '＋', '－', '＠'];
 
 /// A word as it is; a sentence in quotes. An apostrophe goes before a formula, and control characters are spelt out, such as `\u001b`.
-fn text(out: &mut Vec<u8>, text: Option<&str>) {
+fn text(bytes: &mut Vec<u8>, text: Option<&str>) {
     let Some(text) = text else { return };
     let is_word = text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte));
     let is_formula = text.starts_with(FORMULA);
     if is_word && !is_formula && !text.is_empty() {
-        out.extend_from_slice(text.as_bytes());
+        bytes.extend_from_slice(text.as_bytes());
         return;
     }
     // Writing to a Vec never fails.
-    let _ = write!(out, "\"{}", if is_formula { "'" } else { "" });
+    let _ = write!(bytes, "\"{}", if is_formula { "'" } else { "" });
     for c in text.chars() {
         let _ = match c {
-            '"' => write!(out, "\"\""),
-            '\n' => writeln!(out),
-            _ if misleads(c) => write!(out, "\\u{:04x}", u32::from(c)),
-            _ => write!(out, "{c}"),
+            '"' => write!(bytes, "\"\""),
+            '\n' => writeln!(bytes),
+            _ if misleads(c) => write!(bytes, "\\u{:04x}", u32::from(c)),
+            _ => write!(bytes, "{c}"),
         };
     }
-    out.push(b'"');
+    bytes.push(b'"');
 }
 
 /// Adds `value` with nine significant digits, whole numbers below 1e9 without decimals: more than any model here deserves, few enough to
 /// be the same everywhere.
-fn real(out: &mut Vec<u8>, value: f64) {
+fn real(bytes: &mut Vec<u8>, value: f64) {
     let x = if value == 0.0 { 0.0 } else { value };
     let size = x.abs();
     // Writing to a Vec never fails.
     let _ = if x.fract() == 0.0 && size < 1e9 {
-        write!(out, "{x}")
+        write!(bytes, "{x}")
     } else if (1e-3..1e9).contains(&size) {
         let decimals = 11 - BOUNDS.iter().filter(|bound| size >= **bound).count();
-        write!(out, "{x:.decimals$}")
+        write!(bytes, "{x:.decimals$}")
     } else {
-        write!(out, "{x:.8e}")
+        write!(bytes, "{x:.8e}")
     };
 }
 
@@ -83,9 +83,9 @@ mod tests {
     use super::*;
 
     fn shown(x: f64) -> String {
-        let mut out = Vec::new();
-        real(&mut out, x);
-        String::from_utf8(out).expect("digits")
+        let mut bytes = Vec::new();
+        real(&mut bytes, x);
+        String::from_utf8(bytes).expect("digits")
     }
 
     #[test]
@@ -137,9 +137,9 @@ mod tests {
             ("a,\"b\"\nc", "\"a,\"\"b\"\"\nc\""),
             ("a\u{1b}[2J\u{9b}\r\u{202e}", "\"a\\u001b[2J\\u009b\\u000d\\u202e\""),
         ] {
-            let mut out = Vec::new();
-            text(&mut out, Some(value));
-            assert_eq!(String::from_utf8(out).expect("text"), cell, "{value:?}");
+            let mut bytes = Vec::new();
+            text(&mut bytes, Some(value));
+            assert_eq!(String::from_utf8(bytes).expect("text"), cell, "{value:?}");
         }
     }
 

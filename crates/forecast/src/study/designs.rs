@@ -183,10 +183,10 @@ impl Designs {
         let Some((_, axis)) = self.axes().find(|(_, axis)| axis.field.key() == key::accuracy::MODEL) else {
             return vec![self.base.model];
         };
-        let known = |(word, _): &&(&str, ModelChoice)| {
+        let is_varied = |(word, _): &&(&str, ModelChoice)| {
             (0..axis.len()).any(|i| *axis.value(i) == KeyValue::Word((*word).to_owned()))
         };
-        ModelChoice::ALL.iter().filter(known).map(|(_, model)| *model).collect()
+        ModelChoice::ALL.iter().filter(is_varied).map(|(_, model)| *model).collect()
     }
 
     /// A text that identifies the designs: all inputs that they depend on.

@@ -58,26 +58,26 @@ impl Study {
     pub fn new(file: &StudyFile, spec: &Source) -> Result<Self, Faults> {
         let model = file.model.map(model_setting);
         let set: Vec<(Field, KeyValue)> = file.set.iter().cloned().chain(model).collect();
-        let told = |place, what: String| {
+        let fault = |place, what: String| {
             Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, place, what)])
         };
         let spec = edited(spec, &set)?;
-        let designs = designs(&spec, file.blocks.clone())?.map_err(|what| told(0..0, what))?;
-        let models = designs.models();
-        let asked = ModelKinds::of(&models);
-        if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
+        let study_designs = designs(&spec, file.blocks.clone())?.map_err(|what| fault(0..0, what))?;
+        let models = study_designs.models();
+        let kinds = ModelKinds::of(&models);
+        if let Some((_, place)) = file.fineness.as_ref().filter(|_| !kinds.shells) {
             let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is for shells only")
                 .label("no row of this study computes a shell")
                 .help("write model = \"shell\", or delete it");
             return Err(Faults::new(&file.source, vec![fault]));
         }
         let outputs = match &file.outputs {
-            None => wanted::known(asked),
-            Some(names) => wanted::chosen(names, &file.source, asked)?,
+            None => wanted::known(kinds),
+            Some(names) => wanted::chosen(names, &file.source, kinds)?,
         };
         let detail = file.fineness.as_ref().map_or(Detail::Medium, |(detail, _)| *detail);
         let is_slow = any_slow(&models);
-        Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
+        Self::of(study_designs, outputs, Some(detail), is_slow).map_err(|what| fault(0..0, what))
     }
 
     /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
@@ -88,11 +88,11 @@ impl Study {
     /// too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
         for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
-            let others = || axes[..i].iter().map(|other| other.field.key());
-            if others().any(|other| other == key) {
+            let earlier_keys = || axes[..i].iter().map(|other| other.field.key());
+            if earlier_keys().any(|other| other == key) {
                 return Ok(Err(format!("`{key}` is varied twice")));
             }
-            if let Some(twin) = others().find(|other| Some(*other) == key.twin()) {
+            if let Some(twin) = earlier_keys().find(|other| Some(*other) == key.twin()) {
                 return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
             }
         }
@@ -100,9 +100,9 @@ impl Study {
         let blocks = axes.into_iter().filter_map(|axis| Block::new(vec![axis])).collect();
         Ok(designs(spec, blocks)?.and_then(|designs| {
             if varies_models && any_slow(&designs.models()) {
-                let what = "`accuracy.model` is varied with bvp or shell, which only a study file computes: vary fit, ring, \
+                let problem = "`accuracy.model` is varied with bvp or shell, which only a study file computes: vary fit, ring, \
                             section and auto, or write the same [vary] into a study file";
-                return Err(what.to_owned());
+                return Err(problem.to_owned());
             }
             Self::of(designs, wanted::plain(), None, false)
         }))
@@ -180,8 +180,8 @@ fn any_slow(models: &[ModelChoice]) -> bool {
 
 /// `accuracy.model` as a setting.
 fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
-    let known = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
-    let word = known.map_or("auto", |(word, _)| word);
+    let entry = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
+    let word = entry.map_or("auto", |(word, _)| word);
     let field = Field::find(&key::accuracy::MODEL.to_string());
     #[expect(clippy::expect_used, reason = "a test reads every key")]
     let field = field.expect("a key");

@@ -112,12 +112,12 @@ impl OutputColumn {
         }
     }
 
-    /// Whether one of the models in `asked` has this column.
-    pub(super) fn is_known(&self, asked: ModelKinds) -> bool {
+    /// Whether one of the models in `kinds` has this column.
+    pub(super) fn is_known(&self, kinds: ModelKinds) -> bool {
         match self.of {
             Of::Any(_) => true,
-            Of::Hinges(_) | Of::Low(_) | Of::High(_) => asked.hinges,
-            Of::Shell(_) => asked.shells,
+            Of::Hinges(_) | Of::Low(_) | Of::High(_) => kinds.hinges,
+            Of::Shell(_) => kinds.shells,
         }
     }
 }
@@ -162,8 +162,8 @@ pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes
         outputs.iter().map(|output| text(output.name, unit_of(output.name), ColumnKind::Real, output.about)),
     );
     if codes {
-        let about = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
-        columns.push(text("refused_code", None, ColumnKind::Text, about));
+        let meaning = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
+        columns.push(text("refused_code", None, ColumnKind::Text, meaning));
     }
     columns.push(text("refused", None, ColumnKind::Text, "why this design cannot be made, and the remedy"));
     columns

@@ -6,12 +6,12 @@ use crate::shell::request::Measurements;
 use crate::star_answer::mm;
 use crate::study::output::{Of, OutputColumn, RangeOf, StudyRow, ValueOf};
 
-const fn any(name: &'static str, about: &'static str, value: ValueOf) -> OutputColumn {
-    OutputColumn { name, about, of: Of::Any(value) }
+const fn column_of_any(name: &'static str, meaning: &'static str, value: ValueOf) -> OutputColumn {
+    OutputColumn { name, about: meaning, of: Of::Any(value) }
 }
 
-const fn hinges(name: &'static str, about: &'static str, value: ValueOf) -> OutputColumn {
-    OutputColumn { name, about, of: Of::Hinges(value) }
+const fn hinges(name: &'static str, meaning: &'static str, value: ValueOf) -> OutputColumn {
+    OutputColumn { name, about: meaning, of: Of::Hinges(value) }
 }
 
 const fn low(name: &'static str, range: RangeOf) -> OutputColumn {
@@ -22,8 +22,8 @@ const fn high(name: &'static str, range: RangeOf) -> OutputColumn {
     OutputColumn { name, about: "largest end of its range", of: Of::High(range) }
 }
 
-const fn measured(name: &'static str, about: &'static str, value: ValueOf) -> OutputColumn {
-    OutputColumn { name, about, of: Of::Shell(value) }
+const fn measured(name: &'static str, meaning: &'static str, value: ValueOf) -> OutputColumn {
+    OutputColumn { name, about: meaning, of: Of::Shell(value) }
 }
 
 const fn open(name: &'static str, value: ValueOf) -> OutputColumn {
@@ -58,33 +58,39 @@ fn payload(row: &StudyRow<'_>) -> Option<Interval> {
 /// Values by hinge models, and values that need no model, in order. Lengths mm, angles deg. `sweep --vary` has these columns alone: they and
 /// their order do not change.
 pub(super) const PLAIN: [OutputColumn; 20] = [
-    any("arm_length_mm", "length of the straight arms", |row| Some(row.answer.star.l)),
-    any("tip_equilibrium_angle_deg", "angle of the tips at rest, not clamped where arms touch", |row| {
-        row.says(|own| Some(own.rest.equilibrium.to_degrees()), Measurements::equilibrium)
-    }),
-    any("final_radius_mm", "inner radius of the closed star", |row| {
+    column_of_any("arm_length_mm", "length of the straight arms", |row| Some(row.answer.star.l)),
+    column_of_any(
+        "tip_equilibrium_angle_deg",
+        "angle of the tips at rest, not clamped where arms touch",
+        |row| row.says(|own| Some(own.rest.equilibrium.to_degrees()), Measurements::equilibrium),
+    ),
+    column_of_any("final_radius_mm", "inner radius of the closed star", |row| {
         row.says(|own| Some(mm(own.rest.radius)), |shell| Some(shell.radius.value))
     }),
-    any("contraction", "1 - final radius / inner radius", |row| {
+    column_of_any("contraction", "1 - final radius / inner radius", |row| {
         row.says(|own| Some(own.contraction), |shell| Some(shell.contraction.value))
     }),
-    any("operating_pressure_kPa", "pressure of full actuation", |row| Some(row.answer.operating_pressure.0)),
-    any("radial_stiffness_N_per_m", "radial stiffness at rest", |row| {
+    column_of_any("operating_pressure_kPa", "pressure of full actuation", |row| {
+        Some(row.answer.operating_pressure.0)
+    }),
+    column_of_any("radial_stiffness_N_per_m", "radial stiffness at rest", |row| {
         row.says(|own| own.stiffness, Measurements::known_stiffness)
     }),
-    any("object_force_N", "radial force on the object, of one star", |row| {
+    column_of_any("object_force_N", "radial force on the object, of one star", |row| {
         row.says(Outcome::object_force, |shell| shell.object_force().map(|force| force.value))
     }),
-    any("payload_kg", "mass that friction holds, of the whole stack", |row| {
+    column_of_any("payload_kg", "mass that friction holds, of the whole stack", |row| {
         row.shell.map_or(row.answer.payload, |shell| row.held(shell.object_force()?.value))
     }),
     hinges("burst_pressure_kPa", "pressure at which the seal peels", |row| row.answer.burst.map(|p| p.0)),
     // mm^2 to cm^2.
-    any("fabric_cm2", "fabric of one star, both sheets, as cut", |row| {
+    column_of_any("fabric_cm2", "fabric of one star, both sheets, as cut", |row| {
         row.answer.fabric.map(|area| area / 100.0)
     }),
-    any("bendability", "1/eps: pressure over bending stiffness", |row| row.at_pressure()?.bendability()),
-    any("stretch", "p W / Y: how far the fabric stretches", |row| row.at_pressure()?.stretch()),
+    column_of_any("bendability", "1/eps: pressure over bending stiffness", |row| {
+        row.at_pressure()?.bendability()
+    }),
+    column_of_any("stretch", "p W / Y: how far the fabric stretches", |row| row.at_pressure()?.stretch()),
     hinges("burst_margin", "burst pressure over pressure", |row| {
         row.answer.burst.zip(row.point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)
     }),
@@ -115,20 +121,20 @@ pub(super) const MORE: [OutputColumn; 13] = [
     hinges("largest_opening_mm", "inner radius at which the arms of the inflated star lock", |row| {
         row.own().map(|own| mm(own.rest.widest.radius))
     }),
-    any("realised_tip_radius_mm", "inner radius that the band makes of the tips", |row| {
+    column_of_any("realised_tip_radius_mm", "inner radius that the band makes of the tips", |row| {
         Some(mm(row.answer.case.realised.tip))
     }),
-    any("realised_corner_radius_mm", "inner radius that the band makes of the corners", |row| {
+    column_of_any("realised_corner_radius_mm", "inner radius that the band makes of the corners", |row| {
         Some(mm(row.answer.case.realised.corner))
     }),
     hinges("peak_opening_deg", "angle of the tips where the arms lock", |row| {
         row.own().map(|own| own.rest.widest.angle.to_degrees())
     }),
-    any("mass_g", "mass of one star's fabric", |row| {
+    column_of_any("mass_g", "mass of one star's fabric", |row| {
         // kg/m^2 times mm^2 is 1e-3 g.
         row.point.fabric.areal_density.zip(row.answer.fabric).map(|(density, area)| density.0 * area * 1e-3)
     }),
-    any("stars", "stars in the stack", |row| Some(f64::from(row.point.stars))),
+    column_of_any("stars", "stars in the stack", |row| Some(f64::from(row.point.stars))),
 ];
 
 /// Values by shells alone, in order.

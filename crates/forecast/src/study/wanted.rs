@@ -6,7 +6,7 @@ use spec::study::Wanted;
 use spec::{Fault, FaultCode, Faults, Source, nearest};
 
 /// Every column, in order.
-fn every() -> impl Iterator<Item = &'static OutputColumn> {
+fn all_columns() -> impl Iterator<Item = &'static OutputColumn> {
     PLAIN.iter().chain(&MORE).chain(&SHELL_OUTPUTS)
 }
 
@@ -15,39 +15,39 @@ pub(super) fn plain() -> Vec<&'static OutputColumn> {
     PLAIN.iter().collect()
 }
 
-/// All columns that one of the models in `asked` has.
-pub(super) fn known(asked: ModelKinds) -> Vec<&'static OutputColumn> {
-    every().filter(|output| output.is_known(asked)).collect()
+/// All columns that one of the models in `kinds` has.
+pub(super) fn known(kinds: ModelKinds) -> Vec<&'static OutputColumn> {
+    all_columns().filter(|output| output.is_known(kinds)).collect()
 }
 
-/// The columns selected by `wanted` in the study `source`, in that order.
+/// The columns selected by `names` in the study `source`, in that order.
 pub(super) fn chosen(
-    wanted: &[Wanted],
+    names: &[Wanted],
     source: &Source,
-    asked: ModelKinds,
+    kinds: ModelKinds,
 ) -> Result<Vec<&'static OutputColumn>, Faults> {
     let mut faults = Vec::new();
-    let mut found: Vec<&'static OutputColumn> = Vec::new();
-    for Wanted { name, place } in wanted {
-        let own = every().find(|output| output.name == name);
+    let mut outputs: Vec<&'static OutputColumn> = Vec::new();
+    for Wanted { name, place } in names {
+        let output = all_columns().find(|output| output.name == name);
         let fault = |code, label: &str| {
             Fault::error(code, place.clone(), format!("`outputs` names `{name}`")).label(label)
         };
-        match own {
-            Some(output) if found.iter().any(|other| other.name == output.name) => {
+        match output {
+            Some(output) if outputs.iter().any(|other| other.name == output.name) => {
                 faults.push(fault(FaultCode::TwoColumns, "it is named twice").help("delete one of them"));
             }
-            Some(output) if !output.is_known(asked) => {
-                let (who, help) = if asked.shells {
+            Some(output) if !output.is_known(kinds) => {
+                let (problem, help) = if kinds.shells {
                     ("shells have no such column", "use another model, or leave it out")
                 } else {
                     ("only shells have this column", "write model = \"shell\", or leave it out")
                 };
-                faults.push(fault(FaultCode::NoColumn, who).help(help));
+                faults.push(fault(FaultCode::NoColumn, problem).help(help));
             }
-            Some(output) => found.push(output),
+            Some(output) => outputs.push(output),
             None => {
-                let names = || known(asked).into_iter().map(|output| output.name);
+                let names = || known(kinds).into_iter().map(|output| output.name);
                 let help = match nearest(name, names()) {
                     Some(near) => format!("did you mean \"{near}\"?"),
                     None => format!("columns are {}", names().collect::<Vec<_>>().join(", ")),
@@ -56,5 +56,5 @@ pub(super) fn chosen(
             }
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(Faults::new(source, faults)) }
+    if faults.is_empty() { Ok(outputs) } else { Err(Faults::new(source, faults)) }
 }

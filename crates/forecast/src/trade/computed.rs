@@ -145,15 +145,15 @@ mod tests {
         assert!(commit.len() >= 7 && commit.chars().all(|digit| digit.is_ascii_hexdigit()), "{commit}");
         assert!(date.len() == 10 && date.starts_with("20"), "{date}");
         for pressure in [14.0, 37.0, 60.0] {
-            let of = |fineness: &str, points: Option<u32>| {
-                let found = shells().into_iter().find(|shell| {
+            let shell_of = |fineness: &str, points: Option<u32>| {
+                let shell = shells().into_iter().find(|shell| {
                     (shell.fineness.as_str(), shell.points) == (fineness, points)
                         && shell.pressure.total_cmp(&pressure).is_eq()
                 });
-                found.unwrap_or_else(|| panic!("{fineness} {points:?} {pressure}"))
+                shell.unwrap_or_else(|| panic!("{fineness} {points:?} {pressure}"))
             };
-            assert!((3..=8).all(|n| of("coarse", Some(n)).force.is_some()));
-            assert!(FINENESSES.iter().all(|fineness| of(fineness, None).force.is_none()));
+            assert!((3..=8).all(|n| shell_of("coarse", Some(n)).force.is_some()));
+            assert!(FINENESSES.iter().all(|fineness| shell_of(fineness, None).force.is_none()));
         }
     }
 }

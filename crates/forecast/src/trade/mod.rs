@@ -53,14 +53,14 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
         vec![("fit".to_owned(), &Fit), ("ring, table".to_owned(), &table), ("ring".to_owned(), &Ring)];
     models
         .extend(penalised.iter().map(|bvp| (format!("bvp, beta = {}", bvp.beta()), bvp as &dyn HingeModel)));
-    let stars = stars(base);
+    let trade_stars = stars(base);
     let exact = TargetTable::of(&Ring)?;
     models
         .into_iter()
         .map(|(model, own)| {
-            let (time, own) = time_of(own, clock)?;
+            let (time, table) = time_of(own, clock)?;
             let mut errors = [Some(0.0), Some(0.0), None, Some(0.0), Some(0.0)];
-            for ((exact, state), r_star) in exact.targets.iter().zip(&own.targets).zip(R_STARS) {
+            for ((exact, state), r_star) in exact.targets.iter().zip(&table.targets).zip(R_STARS) {
                 raise(&mut errors[0], state.lambda, exact.lambda);
                 raise(&mut errors[1], state.curvature, exact.curvature);
                 let load = |state: &HingeState| seal_load(r_star, state);
@@ -68,11 +68,11 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
                     raise(&mut errors[2], load, exact);
                 }
             }
-            for star in &stars {
+            for star in &trade_stars {
                 let rest = |model: &TargetTable| -> Result<Rest, StarFault> {
                     Ok(Inflated::new(star, model, 1e4)?.linear_rest())
                 };
-                let (exact, rest) = (rest(&exact)?, rest(&own)?);
+                let (exact, rest) = (rest(&exact)?, rest(&table)?);
                 raise(&mut errors[3], rest.radius, exact.radius);
                 raise(&mut errors[4], rest.stiffness, exact.stiffness);
             }
@@ -108,9 +108,9 @@ impl HingeModel for TargetTable {
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
         // A star's R / W differs from the R* it was made from by rounding.
-        let near = R_STARS.iter().position(|known| (known - r_star).abs() < 1e-9);
-        let most = R_STARS[R_STARS.len() - 1];
-        near.map(|i| self.targets[i]).ok_or(HingeFault::RStar { found: r_star, most })
+        let index = R_STARS.iter().position(|known| (known - r_star).abs() < 1e-9);
+        let largest = R_STARS[R_STARS.len() - 1];
+        index.map(|i| self.targets[i]).ok_or(HingeFault::RStar { found: r_star, most: largest })
     }
 
     fn onset(&self, _: f64) -> Result<Option<f64>, HingeFault> {
@@ -130,9 +130,9 @@ fn stars(base: &StarSpec) -> Vec<Mechanism> {
         .collect()
 }
 
-/// Raises `most` to the relative error of `value`.
-fn raise(most: &mut Option<f64>, value: f64, exact: f64) {
-    *most = Some(most.unwrap_or(0.0).max((value / exact - 1.0).abs()));
+/// Raises `largest` to the relative error of `value`.
+fn raise(largest: &mut Option<f64>, value: f64, exact: f64) {
+    *largest = Some(largest.unwrap_or(0.0).max((value / exact - 1.0).abs()));
 }
 
 /// Mean time of one target, and the targets; repeated until it takes a tenth of a second, so that the clock's resolution
@@ -141,14 +141,14 @@ fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, Targ
     let mut repeats = 1_u32;
     loop {
         let start = clock();
-        let mut known = TargetTable::of(model)?;
+        let mut table = TargetTable::of(model)?;
         for _ in 1..repeats {
-            known = std::hint::black_box(TargetTable::of(model)?);
+            table = std::hint::black_box(TargetTable::of(model)?);
         }
         let time = clock() - start;
         if time >= 0.1 || repeats >= 1 << 22 {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
-            return Ok((time / f64::from(repeats) / R_STARS.len() as f64, known));
+            return Ok((time / f64::from(repeats) / R_STARS.len() as f64, table));
         }
         repeats *= 4;
     }
@@ -157,23 +157,23 @@ fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, Targ
 /// The rows as a table for a terminal.
 pub fn table(rows: &[TradeRow]) -> String {
     let names = QUANTITIES.map(|quantity| format!("{quantity:>11}")).concat();
-    let mut out = format!("{:20}{:>12}{names}\n", "model", "time");
+    let mut text = format!("{:20}{:>12}{names}\n", "model", "time");
     for row in rows {
         let texts = row.errors.map(|error| error.map_or("-".to_owned(), |error| format!("{error:.1e}")));
         let errors = texts.map(|text| format!("{text:>11}")).concat();
-        let _ = writeln!(out, "{:20}{:>9.2} us{errors}", row.model, row.time * 1e6);
+        let _ = writeln!(text, "{:20}{:>9.2} us{errors}", row.model, row.time * 1e6);
     }
-    out
+    text
 }
 
 /// The rows as CSV.
 pub fn csv(rows: &[TradeRow]) -> String {
-    let mut out = format!("model,time_s,error_{}\n", QUANTITIES.join(",error_"));
+    let mut text = format!("model,time_s,error_{}\n", QUANTITIES.join(",error_"));
     for row in rows {
         let errors = row.errors.map(|error| error.map_or(String::new(), |error| format!("{error:.3e}")));
-        let _ = writeln!(out, "\"{}\",{:.3e},{}", row.model, row.time, errors.join(","));
+        let _ = writeln!(text, "\"{}\",{:.3e},{}", row.model, row.time, errors.join(","));
     }
-    out
+    text
 }
 
 #[cfg(test)]
@@ -184,19 +184,19 @@ mod tests {
     #[test]
     fn errors_fall_from_level_to_level() {
         // A clock that jumps: no test depends on the machine's speed.
-        let now = Cell::new(0.0);
+        let ticks = Cell::new(0.0);
         let clock = || {
-            now.set(now.get() + 1.0);
-            now.get()
+            ticks.set(ticks.get() + 1.0);
+            ticks.get()
         };
         let rows = measure(&StarSpec::paper(5), &clock).expect("all models answer");
         let row = |name: &str| rows.iter().find(|row| row.model == name).expect("measured");
         assert_eq!(row("ring").errors, [Some(0.0); 5]);
         assert_eq!(row("fit").errors[2], None);
-        let of = |name: &str| row(name).errors.map(|e| e.unwrap_or(1.0));
-        let (coarse, fine) = (of("bvp, beta = 100"), of("bvp, beta = 10000"));
+        let errors_of = |name: &str| row(name).errors.map(|e| e.unwrap_or(1.0));
+        let (coarse, fine) = (errors_of("bvp, beta = 100"), errors_of("bvp, beta = 10000"));
         assert!(coarse.iter().zip(fine).all(|(a, b)| b < *a), "{coarse:?} {fine:?}");
-        assert!(of("ring, table").iter().all(|e| *e < 1e-9));
+        assert!(errors_of("ring, table").iter().all(|e| *e < 1e-9));
         assert_eq!(csv(&rows).lines().count(), rows.len() + 1);
         assert!(table(&rows).contains("ring") && picture::of_choice(&[], &rows).ends_with("</svg>\n"));
     }

@@ -57,12 +57,12 @@ impl LogAxis {
     }
 
     /// Upright lines through `rows` rows below `top`, each with the name of its decade below.
-    fn lines(&self, out: &mut String, top: f64, rows: u8, decades: impl Iterator<Item = (i32, String)>) {
+    fn lines(&self, svg: &mut String, top: f64, rows: u8, decades: impl Iterator<Item = (i32, String)>) {
         let bottom = top + f64::from(rows) * ROW;
         for (decade, name) in decades {
             let x = format!("{:.1}", self.x(10_f64.powi(decade)));
-            let _ = writeln!(out, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
-            text(out, &x, bottom + 16.0, "middle", &name);
+            let _ = writeln!(svg, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
+            text(svg, &x, bottom + 16.0, "middle", &name);
         }
     }
 }
@@ -98,35 +98,35 @@ impl Panel {
     }
 
     /// Lines at every second decade of time, and at each of `errors` with its name.
-    fn axes(&self, out: &mut String, errors: impl Iterator<Item = (i32, String)>) {
-        let Self { left, top, width, .. } = self;
+    fn axes(&self, svg: &mut String, errors: impl Iterator<Item = (i32, String)>) {
+        let Self { left: left_edge, top, width, .. } = self;
         let bottom = self.bottom();
         for decade in (self.times[0]..=self.times[1]).step_by(2) {
             let x = format!("{:.1}", self.x(10_f64.powi(decade)));
-            let _ = writeln!(out, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
-            text(out, &x, bottom + 18.0, "middle", &format!("1e{decade} s"));
+            let _ = writeln!(svg, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
+            text(svg, &x, bottom + 18.0, "middle", &format!("1e{decade} s"));
         }
         for (decade, name) in errors {
             let y = self.y(10_f64.powi(decade));
-            let _ = writeln!(out, "<path d=\"M{left} {y:.1}h{width}\" stroke=\"#ddd\"/>");
-            text(out, left - 8.0, format!("{:.1}", y + 4.0), "end", &name);
+            let _ = writeln!(svg, "<path d=\"M{left_edge} {y:.1}h{width}\" stroke=\"#ddd\"/>");
+            text(svg, left_edge - 8.0, format!("{:.1}", y + 4.0), "end", &name);
         }
     }
 }
 
 /// A line of text.
-fn text(out: &mut String, x: impl std::fmt::Display, y: impl std::fmt::Display, anchor: &str, words: &str) {
-    let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\">{words}</text>");
+fn text(svg: &mut String, x: impl std::fmt::Display, y: impl std::fmt::Display, anchor: &str, words: &str) {
+    let _ = writeln!(svg, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\">{words}</text>");
 }
 
 /// A heading.
-fn title(out: &mut String, y: f64, words: &str) {
+fn title(svg: &mut String, y: f64, words: &str) {
     let _ =
-        writeln!(out, "<text x=\"{NAMES}\" y=\"{y}\" font-size=\"15\" font-weight=\"bold\">{words}</text>");
+        writeln!(svg, "<text x=\"{NAMES}\" y=\"{y}\" font-size=\"15\" font-weight=\"bold\">{words}</text>");
 }
 
-fn dot(out: &mut String, [x, y]: [f64; 2], colour: &str) {
-    let _ = writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>");
+fn dot(svg: &mut String, [x, y]: [f64; 2], colour: &str) {
+    let _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>");
 }
 
 /// The beginning of a picture.
@@ -171,24 +171,24 @@ fn choices(rows: &[ShellRow]) -> Vec<ModelMark<'_>> {
 /// The choice of a model: a row a model, the cheapest first, with its error of each question; below it the errors of the limits against the
 /// exact ring, a row a limit.
 pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
-    let mut out = head(CHOICE);
-    title(&mut out, 26.0, "Which model for which question? Take the first row whose error is small enough.");
+    let mut svg = head(CHOICE);
+    title(&mut svg, 26.0, "Which model for which question? Take the first row whose error is small enough.");
     text(
-        &mut out,
+        &mut svg,
         NAMES,
         48,
         "start",
         "Errors against the finest shells of the paper's stars at 14, 37 and 60 kPa, root of the mean square.",
     );
-    text(&mut out, NAMES, CHOICE_TOP - 20.0, "start", "model");
-    text(&mut out, TIMES, CHOICE_TOP - 20.0, "end", "cost of a star");
+    text(&mut svg, NAMES, CHOICE_TOP - 20.0, "start", "model");
+    text(&mut svg, TIMES, CHOICE_TOP - 20.0, "end", "cost of a star");
     let by_cost = choices(rows);
     let count = u8::try_from(by_cost.len()).unwrap_or(u8::MAX);
     for (axis, (words, _)) in QUESTIONS.iter().zip(ANSWERS) {
         let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
-        axis.lines(&mut out, CHOICE_TOP - 10.0, count, (-3..).zip(names));
+        axis.lines(&mut svg, CHOICE_TOP - 10.0, count, (-3..).zip(names));
         let _ = writeln!(
-            out,
+            svg,
             "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"middle\" font-weight=\"bold\">{words}</text>",
             axis.left + axis.width / 2.0,
             CHOICE_TOP - 20.0
@@ -196,11 +196,11 @@ pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
     }
     for ((choice, colour), place) in by_cost.iter().zip(COLOURS).zip(0_u8..) {
         let y = CHOICE_TOP + ROW * f64::from(place);
-        row(&mut out, y, choice.model, choice.time);
+        row(&mut svg, y, choice.model, choice.time);
         for (axis, error) in QUESTIONS.iter().zip(choice.errors) {
             let x = axis.x(error);
-            dot(&mut out, [x, y], colour);
-            text(&mut out, format!("{:.1}", x + 8.0), y + 4.0, "start", &percent(error));
+            dot(&mut svg, [x, y], colour);
+            text(&mut svg, format!("{:.1}", x + 8.0), y + 4.0, "start", &percent(error));
         }
     }
     let bottom = CHOICE_TOP + ROW * f64::from(count);
@@ -209,16 +209,16 @@ pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
         "section was fitted to these stars: docs/ranges.md has its errors on others. shell, fine: its own mesh errors.".to_owned(),
     ];
     for (note, line) in notes.iter().zip(0_u8..) {
-        text(&mut out, NAMES, bottom + 32.0 + 18.0 * f64::from(line), "start", note);
+        text(&mut svg, NAMES, bottom + 32.0 + 18.0 * f64::from(line), "start", note);
     }
-    add_limits(&mut out, limits);
-    out + "</svg>\n"
+    add_limits(&mut svg, limits);
+    svg + "</svg>\n"
 }
 
 /// Name and time of a row.
-fn row(out: &mut String, y: f64, model: &str, time: f64) {
-    text(out, NAMES, y + 4.0, "start", model);
-    text(out, TIMES, y + 4.0, "end", shown::time(time).trim_end());
+fn row(svg: &mut String, y: f64, model: &str, time: f64) {
+    text(svg, NAMES, y + 4.0, "start", model);
+    text(svg, TIMES, y + 4.0, "end", shown::time(time).trim_end());
 }
 
 /// An error for people: two digits.
@@ -228,28 +228,28 @@ fn percent(error: f64) -> String {
 }
 
 /// The errors of the limits of high pressure against the exact ring.
-fn add_limits(out: &mut String, rows: &[TradeRow]) {
-    title(out, RING_TOP - 58.0, "The limits of high pressure against the exact ring");
-    text(out, NAMES, RING_TOP - 20.0, "start", "limit");
-    text(out, TIMES, RING_TOP - 20.0, "end", "time of one hinge");
+fn add_limits(svg: &mut String, rows: &[TradeRow]) {
+    title(svg, RING_TOP - 58.0, "The limits of high pressure against the exact ring");
+    text(svg, NAMES, RING_TOP - 20.0, "start", "limit");
+    text(svg, TIMES, RING_TOP - 20.0, "end", "time of one hinge");
     for ((quantity, colour), place) in QUANTITIES.iter().zip(QUANTITY_COLOURS).zip(0_u8..) {
         let x = RING.left + 100.0 * f64::from(place);
         let _ = writeln!(
-            out,
+            svg,
             "<rect x=\"{x}\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>",
             RING_TOP - 28.0
         );
-        text(out, x + 12.0, RING_TOP - 20.0, "start", quantity);
+        text(svg, x + 12.0, RING_TOP - 20.0, "start", quantity);
     }
     let count = u8::try_from(rows.len()).unwrap_or(u8::MAX);
     let names = (-16..=0).step_by(4).map(|decade| (decade, format!("1e{decade}")));
-    RING.lines(out, RING_TOP - 10.0, count, names);
+    RING.lines(svg, RING_TOP - 10.0, count, names);
     for (limit, place) in rows.iter().zip(0_u8..) {
         let y = RING_TOP + ROW * f64::from(place);
-        row(out, y, &limit.model, limit.time);
+        row(svg, y, &limit.model, limit.time);
         for (error, colour) in limit.errors.iter().zip(QUANTITY_COLOURS) {
             if let Some(error) = error {
-                dot(out, [RING.x(*error), y], colour);
+                dot(svg, [RING.x(*error), y], colour);
             }
         }
     }
@@ -258,11 +258,11 @@ fn add_limits(out: &mut String, rows: &[TradeRow]) {
 /// The errors of every model against the shells, the root of the mean square over the stars: a circle a pressure, a panel for closing
 /// and one for force.
 pub fn against_shells(rows: &[ShellRow]) -> String {
-    let mut out = head(SHELLS);
+    let mut svg = head(SHELLS);
     let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
     for (panel, title) in [(CLOSING, "closing: rho_f"), (FORCE, "force on an object")] {
-        panel.axes(&mut out, (-3..).zip(names.clone()));
-        text(&mut out, panel.left + panel.width / 2.0, panel.top - 12.0, "middle", title);
+        panel.axes(&mut svg, (-3..).zip(names.clone()));
+        text(&mut svg, panel.left + panel.width / 2.0, panel.top - 12.0, "middle", title);
     }
     let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
     models.dedup();
@@ -275,7 +275,7 @@ pub fn against_shells(rows: &[ShellRow]) -> String {
         for (panel, error) in [(CLOSING, closing), (FORCE, force)] {
             let (cx, cy) = (panel.x(row.time), panel.y(error));
             let _ = writeln!(
-                out,
+                svg,
                 "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{radius}\" fill=\"{colour}\" fill-opacity=\"0.8\"/>"
             );
         }
@@ -283,12 +283,12 @@ pub fn against_shells(rows: &[ShellRow]) -> String {
     for ((model, colour), place) in models.iter().zip(COLOURS).zip(0_u8..) {
         let y = CLOSING.top + 20.0 * f64::from(place) + 20.0;
         let _ =
-            writeln!(out, "<rect x=\"946\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>", y - 8.0);
-        let _ = writeln!(out, "<text x=\"960\" y=\"{y}\">{model}</text>");
+            writeln!(svg, "<rect x=\"946\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>", y - 8.0);
+        let _ = writeln!(svg, "<text x=\"960\" y=\"{y}\">{model}</text>");
     }
-    let about = "time of a star; circles of rising size: 14, 37, 60 kPa; of shell, fine its own mesh error";
-    text(&mut out, 500, CLOSING.bottom() + 45.0, "middle", about);
-    out + "</svg>\n"
+    let caption = "time of a star; circles of rising size: 14, 37, 60 kPa; of shell, fine its own mesh error";
+    text(&mut svg, 500, CLOSING.bottom() + 45.0, "middle", caption);
+    svg + "</svg>\n"
 }
 
 #[cfg(test)]
@@ -316,13 +316,13 @@ mod tests {
         let words = line.split_once('>')?.1.strip_suffix("</text>")?;
         let size = number(line, "font-size").unwrap_or(12.0);
         let width = 0.58 * size * f64::from(u32::try_from(words.chars().count()).ok()?);
-        let left = match attribute(line, "text-anchor") {
+        let offset = match attribute(line, "text-anchor") {
             Some("middle") => width / 2.0,
             Some("end") => width,
             _ => 0.0,
         };
         let x = number(line, "x")?;
-        Some(Label { ends: [x - left, x - left + width], base: number(line, "y")?, words })
+        Some(Label { ends: [x - offset, x - offset + width], base: number(line, "y")?, words })
     }
 
     #[test]
@@ -334,12 +334,12 @@ mod tests {
             assert!(is_picture(&picture));
             let [width, height] = size.map(f64::from);
             let lines = picture.lines().filter(|line| line.starts_with("<text"));
-            let all: Vec<Label<'_>> = lines.map(|line| label(line).expect(line)).collect();
-            assert!(all.len() > 20);
-            for (index, label) in all.iter().enumerate() {
+            let labels: Vec<Label<'_>> = lines.map(|line| label(line).expect(line)).collect();
+            assert!(labels.len() > 20);
+            for (index, label) in labels.iter().enumerate() {
                 assert!(label.ends[0] >= 0.0 && label.ends[1] <= width, "{} {:?}", label.words, label.ends);
                 assert!(label.base >= 12.0 && label.base <= height - 3.0, "{}", label.words);
-                for other in &all[index + 1..] {
+                for other in &labels[index + 1..] {
                     let is_clear = (label.base - other.base).abs() >= 10.0
                         || label.ends[1] <= other.ends[0]
                         || other.ends[1] <= label.ends[0];

@@ -95,13 +95,16 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
                 actuator: None,
                 stars: Vec::new(),
             };
-            if let Some((level, known)) = level.zip(same(&computed, "fine", None, pressure)) {
-                let own = actuate(&actuator(pressure)?, level, &[])?;
-                row.actuator =
-                    Some([own.angle_deg - known.rest.value, own.stiffness_Nm / known.stiffness.value - 1.0]);
+            if let Some((level, finest_shell)) = level.zip(matching_shell(&computed, "fine", None, pressure))
+            {
+                let answer = actuate(&actuator(pressure)?, level, &[])?;
+                row.actuator = Some([
+                    answer.angle_deg - finest_shell.rest.value,
+                    answer.stiffness_Nm / finest_shell.stiffness.value - 1.0,
+                ]);
             }
-            for known in at(&finest, pressure) {
-                row.add(known, level, clock)?;
+            for finest_shell in at(&finest, pressure) {
+                row.add(finest_shell, level, clock)?;
             }
             rows.push(row);
         }
@@ -117,7 +120,12 @@ fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
 }
 
 /// The shell of this fineness and pressure with so many points; without points the V-actuator.
-fn same<'a>(computed: &'a [Shell], fineness: &str, points: Option<u32>, pressure: f64) -> Option<&'a Shell> {
+fn matching_shell<'a>(
+    computed: &'a [Shell],
+    fineness: &str,
+    points: Option<u32>,
+    pressure: f64,
+) -> Option<&'a Shell> {
     computed.iter().find(|one| {
         one.fineness == fineness && one.points == points && one.pressure.total_cmp(&pressure).is_eq()
     })
@@ -131,17 +139,18 @@ fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
 }
 
 fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]) -> ShellRow {
-    let own = same(computed, fineness, None, pressure).zip(same(computed, "fine", None, pressure));
+    let pair = matching_shell(computed, fineness, None, pressure)
+        .zip(matching_shell(computed, "fine", None, pressure));
     let mut row = ShellRow {
         model: format!("shell, {fineness}"),
         pressure,
         is_measured: false,
         time: 0.0,
-        actuator: own.map(|(own, known)| {
+        actuator: pair.map(|(pair, known)| {
             if fineness == "fine" {
                 return [known.rest.mesh_error, known.stiffness.mesh_error / known.stiffness.value];
             }
-            [own.rest.value - known.rest.value, own.stiffness.value / known.stiffness.value - 1.0]
+            [pair.rest.value - known.rest.value, pair.stiffness.value / known.stiffness.value - 1.0]
         }),
         stars: Vec::new(),
     };
@@ -158,21 +167,21 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
             });
             continue;
         }
-        let Some(own) = same(computed, fineness, Some(known.points), pressure) else { continue };
-        times.push(own.time);
-        let part = |own: MeshedValue, known: MeshedValue| {
-            Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
+        let Some(shell) = matching_shell(computed, fineness, Some(known.points), pressure) else { continue };
+        times.push(shell.time);
+        let part = |shell: MeshedValue, known: MeshedValue| {
+            Some(shell.value / known.value - 1.0).filter(|part| part.is_finite())
         };
         row.stars.push(StarErrors {
             points: known.points,
-            radius: own.rest.value / known.radius.value - 1.0,
-            stiffness: part(own.stiffness, known.stiffness),
-            force: own.force.and_then(|force| part(force, known.force)),
+            radius: shell.rest.value / known.radius.value - 1.0,
+            stiffness: part(shell.stiffness, known.stiffness),
+            force: shell.force.and_then(|force| part(force, known.force)),
         });
     }
     if times.is_empty() {
-        let all = computed.iter().filter(|one| one.fineness == fineness && one.points.is_some());
-        times.extend(all.map(|one| one.time));
+        let shells = computed.iter().filter(|one| one.fineness == fineness && one.points.is_some());
+        times.extend(shells.map(|one| one.time));
     }
     row.time = mean(&times);
     row
@@ -190,7 +199,8 @@ pub fn mesh_errors() -> Vec<Agreement> {
             }
             let mut row = Agreement { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
             for known in &finest {
-                let Some(own) = same(&computed, fineness, Some(known.points), known.pressure) else {
+                let Some(own) = matching_shell(&computed, fineness, Some(known.points), known.pressure)
+                else {
                     continue;
                 };
                 let (own, known) = match quantity {
@@ -202,10 +212,10 @@ pub fn mesh_errors() -> Vec<Agreement> {
                     row.unknown += 1;
                     continue;
                 };
-                let far = (own.value - known.value).abs() / (own.mesh_error + known.mesh_error);
+                let deviation = (own.value - known.value).abs() / (own.mesh_error + known.mesh_error);
                 row.of += 1;
-                row.held += usize::from(far <= 1.0);
-                row.furthest = row.furthest.max(far);
+                row.held += usize::from(deviation <= 1.0);
+                row.furthest = row.furthest.max(deviation);
             }
             rows.push(row);
         }
@@ -219,11 +229,17 @@ pub fn costs() -> Vec<(&'static str, usize, f64, f64, u32)> {
     FINENESSES
         .into_iter()
         .map(|fineness| {
-            let of: Vec<&Shell> =
+            let shells: Vec<&Shell> =
                 computed.iter().filter(|one| one.fineness == fineness && one.points.is_some()).collect();
-            let times: Vec<f64> = of.iter().map(|one| one.time).collect();
-            let memory = of.iter().fold(0.0, |most: f64, one| most.max(one.memory));
-            (fineness, of.len(), mean(&times), memory, of.iter().map(|one| one.unknowns).max().unwrap_or(0))
+            let times: Vec<f64> = shells.iter().map(|one| one.time).collect();
+            let memory = shells.iter().fold(0.0, |most: f64, one| most.max(one.memory));
+            (
+                fineness,
+                shells.len(),
+                mean(&times),
+                memory,
+                shells.iter().map(|one| one.unknowns).max().unwrap_or(0),
+            )
         })
         .collect()
 }
@@ -242,12 +258,12 @@ pub fn rms(errors: impl Iterator<Item = f64>) -> f64 {
 impl ShellRow {
     fn add(
         &mut self,
-        known: &Finest,
+        finest_shell: &Finest,
         level: Option<Level>,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), StarFault> {
-        let Ok(star) = Star::new(&StarSpec::paper(known.points)) else { return Ok(()) };
-        let pressure = Pressure(known.pressure).pascals();
+        let Ok(star) = Star::new(&StarSpec::paper(finest_shell.points)) else { return Ok(()) };
+        let pressure = Pressure(finest_shell.pressure).pascals();
         let case = Case::bare(&star, ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?, pressure);
         let start = clock();
         let model: Box<dyn HingeModel> = match level {
@@ -258,13 +274,13 @@ impl ShellRow {
         let inflated = Inflated::new(&case.mechanism, &*model, pressure)?;
         let rest = inflated.linear_rest();
         self.time = self.time.min(clock() - start);
-        let object = 1e-3 * known.radius.value + OPENING * case.mechanism.width;
+        let object = 1e-3 * finest_shell.radius.value + OPENING * case.mechanism.width;
         let force = if object < rest.radius { Some(0.0) } else { inflated.linear_force(object, &rest).ok() };
         self.stars.push(StarErrors {
-            points: known.points,
-            radius: 1e3 * rest.radius / known.radius.value - 1.0,
-            stiffness: Some(rest.stiffness / known.stiffness.value - 1.0),
-            force: force.map(|force| force / known.force.value - 1.0),
+            points: finest_shell.points,
+            radius: 1e3 * rest.radius / finest_shell.radius.value - 1.0,
+            stiffness: Some(rest.stiffness / finest_shell.stiffness.value - 1.0),
+            force: force.map(|force| force / finest_shell.force.value - 1.0),
         });
         Ok(())
     }
@@ -280,13 +296,16 @@ mod tests {
         let rows = against_shells(&|| 0.0).expect("all models answer");
         assert_eq!(rows.len(), (MODELS.len() + 3) * PRESSURES.len());
         for pressure in PRESSURES {
-            let at = |model: &str| {
-                let found =
+            let row_of = |model: &str| {
+                let row =
                     rows.iter().find(|row| row.model == model && row.pressure.total_cmp(&pressure).is_eq());
-                found.expect("compared").clone()
+                row.expect("compared").clone()
             };
-            let (ring, section, fast) = (at("ring"), at("section, solver"), at("section, table"));
-            assert_eq!((ring.stars.len(), section.stars.len(), at("shell, coarse").stars.len()), (6, 6, 6));
+            let (ring, section, fast) = (row_of("ring"), row_of("section, solver"), row_of("section, table"));
+            assert_eq!(
+                (ring.stars.len(), section.stars.len(), row_of("shell, coarse").stars.len()),
+                (6, 6, 6)
+            );
             let radii = |row: &ShellRow| rms(row.stars.iter().map(|star| star.radius));
             let forces = |row: &ShellRow| rms(row.stars.iter().filter_map(|star| star.force));
             assert!(radii(&section) < 0.75 * radii(&ring), "{pressure}");

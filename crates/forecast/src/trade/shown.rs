@@ -49,13 +49,13 @@ fn head(row: &ShellRow) -> String {
 }
 
 /// Every n in its column, and the root of the mean square.
-fn columns(row: &ShellRow, decimals: usize, of: impl Fn(&StarErrors) -> Option<f64>) -> String {
+fn columns(row: &ShellRow, decimals: usize, error_of: impl Fn(&StarErrors) -> Option<f64>) -> String {
     let text = |points: u32| {
-        let error = row.stars.iter().find(|star| star.points == points).and_then(&of);
+        let error = row.stars.iter().find(|star| star.points == points).and_then(&error_of);
         error.map_or("-".to_owned(), |error| format!("{:+.decimals$}", 100.0 * error))
     };
-    let all = 100.0 * rms(row.stars.iter().filter_map(&of));
-    aligned(text, &format!("{all:.1}"))
+    let percent = 100.0 * rms(row.stars.iter().filter_map(&error_of));
+    aligned(text, &format!("{percent:.1}"))
 }
 
 /// A text for every n, and the last one.
@@ -63,58 +63,58 @@ fn aligned(text: impl Fn(u32) -> String, last: &str) -> String {
     STARS.map(|points| format!("{:>7}", text(points))).concat() + &format!("{last:>8}")
 }
 
-fn names(what: &str) -> String {
-    aligned(|points| format!("n = {points}"), what)
+fn names(heading: &str) -> String {
+    aligned(|points| format!("n = {points}"), heading)
 }
 
 fn closing(rows: &[ShellRow]) -> String {
-    let mut out = format!("{:23}{:>14}{}\n", "rho_f", "time", names("rms"));
+    let mut text = format!("{:23}{:>14}{}\n", "rho_f", "time", names("rms"));
     for row in rows.iter().filter(|row| !row.stars.is_empty()) {
         let errors = columns(row, 1, |star| Some(star.radius));
-        let _ = writeln!(out, "{}{:>14}{errors}", head(row), time(row.time));
+        let _ = writeln!(text, "{}{:>14}{errors}", head(row), time(row.time));
     }
-    out
+    text
 }
 
 fn force(rows: &[ShellRow]) -> String {
-    let mut out = format!("{:23}{}  |{}\n", "K | F", names("K rms"), names("F rms"));
+    let mut text = format!("{:23}{}  |{}\n", "K | F", names("K rms"), names("F rms"));
     for row in rows.iter().filter(|row| !row.stars.is_empty()) {
-        let (own, force) = (columns(row, 0, |star| star.stiffness), columns(row, 0, |star| star.force));
-        let _ = writeln!(out, "{}{own}  |{force}", head(row));
+        let (stiffness, force) = (columns(row, 0, |star| star.stiffness), columns(row, 0, |star| star.force));
+        let _ = writeln!(text, "{}{stiffness}  |{force}", head(row));
     }
-    out
+    text
 }
 
 fn actuator(rows: &[ShellRow]) -> String {
-    let mut out = format!("{:23}{:>11}{:>8}\n", "V-actuator", "angle", "C");
+    let mut text = format!("{:23}{:>11}{:>8}\n", "V-actuator", "angle", "C");
     for (row, [angle, stiffness]) in rows.iter().filter_map(|row| row.actuator.map(|own| (row, own))) {
         let (angle, stiffness) = (format!("{angle:+.1} deg"), format!("{:+.0} %", 100.0 * stiffness));
-        let _ = writeln!(out, "{}{angle:>11}{stiffness:>8}", head(row));
+        let _ = writeln!(text, "{}{angle:>11}{stiffness:>8}", head(row));
     }
-    out
+    text
 }
 
 fn meshes() -> String {
-    let mut out = format!(
+    let mut text = format!(
         "{:14}{:10}{:>10}{:>12}{:>20}\n",
         "fineness", "quantity", "holds", "unknown", "furthest, by both"
     );
     for row in mesh_errors().into_iter().filter(|row| row.of + row.unknown > 0) {
-        let holds = format!("{} of {}", row.held, row.of);
+        let agreement = format!("{} of {}", row.held, row.of);
         let _ = writeln!(
-            out,
-            "{:14}{:10}{holds:>10}{:>12}{:>20.1}",
+            text,
+            "{:14}{:10}{agreement:>10}{:>12}{:>20.1}",
             row.fineness, row.quantity, row.unknown, row.furthest
         );
     }
-    out
+    text
 }
 
 fn cost() -> String {
-    let mut out =
+    let mut text =
         format!("{:10}{:>8}{:>18}{:>12}{:>12}\n", "fineness", "stars", "finest mesh", "user time", "memory");
     for (fineness, stars, seconds, memory, unknowns) in costs().into_iter().filter(|cost| cost.1 > 0) {
-        let _ = writeln!(out, "{fineness:10}{stars:>8}{unknowns:>18}{seconds:>10.1} s{memory:>9.0} MB");
+        let _ = writeln!(text, "{fineness:10}{stars:>8}{unknowns:>18}{seconds:>10.1} s{memory:>9.0} MB");
     }
-    out
+    text
 }
