@@ -61,17 +61,17 @@ pub(crate) fn admit(bytes: &[u8], format: Format, options: &Options) -> Result<(
     let head: Vec<u8> = bytes.iter().take(4096).copied().filter(|byte| *byte != 0).collect();
     let marks: [&[u8]; 3] = [b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"];
     let text = marks.iter().find_map(|mark| head.strip_prefix(*mark)).unwrap_or(&head).trim_ascii_start();
-    let found = if text.starts_with(b"<") {
+    let actual_format = if text.starts_with(b"<") {
         Some(Format::Svg)
     } else if text.first().is_some_and(u8::is_ascii_digit) {
         Some(Format::Dxf)
     } else {
         None
     };
-    match found {
-        Some(found) if found == format => Ok(()),
-        Some(found) => {
-            let text = format!("The file is {}, not {}.", found.name(), format.name());
+    match actual_format {
+        Some(actual_format) if actual_format == format => Ok(()),
+        Some(actual_format) => {
+            let text = format!("The file is {}, not {}.", actual_format.name(), format.name());
             Err(fault(text, "Change the ending of its name."))
         }
         None if text.is_empty() => Err(fault("The file is empty.".into(), "Export the drawing again.")),

@@ -143,8 +143,8 @@ impl std::fmt::Display for Place {
             (None, Some(line)) => write!(f, "line {line}")?,
             (None, None) => write!(f, "file")?,
         }
-        if let Some(at) = self.at {
-            write!(f, " at ({:.3}, {:.3}) mm", at.x, at.y)?;
+        if let Some(point) = self.at {
+            write!(f, " at ({:.3}, {:.3}) mm", point.x, point.y)?;
         }
         Ok(())
     }

@@ -31,15 +31,15 @@ const STRAIGHT: f64 = 1e-3;
 /// below 1e-6 mm.
 const SHORTEST: f64 = 1e-13;
 
-/// Appends arcs and lines within `tolerance` of the curve; `false` if `out` would exceed `limit` segments.
-pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Vec<Segment>) -> bool {
+/// Appends arcs and lines within `tolerance` of the curve; `false` if `segments` would exceed `limit` segments.
+pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, segments: &mut Vec<Segment>) -> bool {
     let (allowed, straight) = (SHARE * tolerance, STRAIGHT * tolerance);
-    let first = out.len();
-    let mut at = 0.0;
+    let first = segments.len();
+    let mut start = 0.0;
     let mut step = 1.0;
-    while at < 1.0 {
-        let end = if at + step > 1.0 - SHORTEST { 1.0 } else { at + step };
-        let piece = Span::new(curve, at, end);
+    while start < 1.0 {
+        let end = if start + step > 1.0 - SHORTEST { 1.0 } else { start + step };
+        let piece = Span::new(curve, start, end);
         // A straight piece is a line, although arcs would be nearer: their radius would be kilometres.
         let biarc = if piece.is_straight(allowed) { None } else { piece.biarc() };
         let error = biarc.map_or(f64::INFINITY, |arcs| piece.distance(&arcs, straight));
@@ -47,23 +47,23 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Ve
         if accepted {
             match biarc.filter(|_| error <= allowed) {
                 Some(arcs) => {
-                    if !arcs.append(straight, first, (tolerance - allowed, limit), out) {
+                    if !arcs.append(straight, first, (tolerance - allowed, limit), segments) {
                         return false;
                     }
                 }
-                None => push_line(Line::new(piece.ends[0], piece.ends[1]), out),
+                None => push_line(Line::new(piece.ends[0], piece.ends[1]), segments),
             }
-            if out.len() > limit {
+            if segments.len() > limit {
                 return false;
             }
-            at = end;
+            start = end;
         }
         // Error is proportional to the cube of the step; the bounds keep one odd measurement from ruling.
         let factor = if error.is_finite() { 0.9 * libm::cbrt(allowed / error.max(1e-300)) } else { 0.5 };
         let bounds = if accepted { (0.8, 4.0) } else { (0.2, 0.8) };
         let factor = if accepted && error.is_infinite() { 2.0 } else { factor.clamp(bounds.0, bounds.1) };
         step = (step * factor).max(SHORTEST);
-        let rest = 1.0 - at;
+        let rest = 1.0 - start;
         if step < rest && rest < 2.0 * step {
             step = rest / 2.0; // two equal pieces instead of a long and a short one
         }
@@ -80,10 +80,10 @@ struct Span {
 
 impl Span {
     fn new(curve: &impl Curve, a: f64, b: f64) -> Self {
-        let at = |i: u32| curve.point(a + (b - a) * f64::from(i) / f64::from(SAMPLES));
+        let sample_point = |i: u32| curve.point(a + (b - a) * f64::from(i) / f64::from(SAMPLES));
         let mut samples = [Point::ORIGIN; SAMPLES as usize - 1];
         for (sample, i) in samples.iter_mut().zip(1..) {
-            *sample = at(i);
+            *sample = sample_point(i);
         }
         // A derivative that vanishes at an end (a control point on the end) has the direction of the next point.
         let ends = [curve.point(a), curve.point(b)];
@@ -94,8 +94,8 @@ impl Span {
             let v = if v.length() > small { v } else { (curve.point(inner) - curve.point(t)) * sign };
             v.normalized()
         };
-        let near = 1e-4 * (b - a);
-        let tangents = [tangent(a, a + near, 1.0), tangent(b, b - near, -1.0)];
+        let small_step = 1e-4 * (b - a);
+        let tangents = [tangent(a, a + small_step, 1.0), tangent(b, b - small_step, -1.0)];
         Self { ends, tangents, samples }
     }
 
@@ -110,9 +110,13 @@ impl Span {
         if length == 0.0 || t0.dot(chord) < FLATNESS * length || t1.dot(chord) < FLATNESS * length {
             return None;
         }
-        let along = chord.dot(t0 + t1);
-        let apart = t1 - t0;
-        let d = length * length / (along + (along * along + apart.dot(apart) * length * length).sqrt());
+        let sum_component = chord.dot(t0 + t1);
+        let tangent_difference = t1 - t0;
+        let d = length * length
+            / (sum_component
+                + (sum_component * sum_component
+                    + tangent_difference.dot(tangent_difference) * length * length)
+                    .sqrt());
         let (q0, q1) = (p0 + t0 * d, p1 + t1 * -d);
         let joint = q0.midpoint(q1);
         let tangent = (q1 - q0).normalized();
@@ -175,22 +179,22 @@ struct Biarc {
 
 impl Biarc {
     /// Appends its arcs, those of a too large radius as chords within `chordal`; arcs of one circle become one, also with the arc before it
-    /// (from index `first` on). `false` if `out` would exceed `limit` segments.
+    /// (from index `first` on). `false` if `segments` would exceed `limit` segments.
     fn append(
         &self,
         straight: f64,
         first: usize,
         (chordal, limit): (f64, usize),
-        out: &mut Vec<Segment>,
+        segments: &mut Vec<Segment>,
     ) -> bool {
         let ends = [[self.points[0], self.points[1]], [self.points[1], self.points[2]]];
         self.segments(straight).iter().zip(ends).all(|(segment, ends)| {
-            match (segment, out[first..].last_mut()) {
+            match (segment, segments[first..].last_mut()) {
                 (Segment::Arc(arc), Some(Segment::Arc(before))) if same_circle(before, arc) => {
                     before.sweep += arc.sweep;
                 }
-                (Segment::Arc(arc), _) => return push_arc(arc, ends, chordal, limit, out),
-                (Segment::Line(line), _) => push_line(*line, out),
+                (Segment::Arc(arc), _) => return push_arc(arc, ends, chordal, limit, segments),
+                (Segment::Line(line), _) => push_line(*line, segments),
             }
             true
         })

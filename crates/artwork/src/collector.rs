@@ -107,11 +107,11 @@ impl<'o> Collector<'o> {
         self.bounded(self.text, limit, "bytes of text, copies included")
     }
 
-    fn bounded(&mut self, count: usize, limit: usize, what: &str) -> Result<(), Stop> {
+    fn bounded(&mut self, count: usize, limit: usize, items: &str) -> Result<(), Stop> {
         if count <= limit {
             return Ok(());
         }
-        let text = format!("The drawing has more than {limit} {what}.");
+        let text = format!("The drawing has more than {limit} {items}.");
         self.refuse(Place::default(), text, "Remove what is not needed, or split the drawing.");
         Err(Stop)
     }
@@ -138,8 +138,9 @@ impl<'o> Collector<'o> {
 
     /// Notes that a thing is left out, together with others of the same weight and text.
     pub(crate) fn note_alike(&mut self, weight: Weight, place: Place, text: &str) {
-        let known = self.drawing.notes.iter_mut().find(|note| note.weight == weight && note.text == text);
-        match known {
+        let equal_note =
+            self.drawing.notes.iter_mut().find(|note| note.weight == weight && note.text == text);
+        match equal_note {
             Some(note) => note.others.push(place),
             None => self.note(weight, place, text),
         }
@@ -150,12 +151,12 @@ impl<'o> Collector<'o> {
         self.unseen.push((self.drawing.elements.len() - 1, place));
     }
 
-    /// The elements from number `from` on that can be seen.
-    pub(crate) fn seen_elements(&self, from: usize) -> impl Iterator<Item = &Element> {
-        let after = self.unseen.partition_point(|(number, _)| *number < from);
-        let unseen = self.unseen[after..].iter().map(|(number, _)| *number);
+    /// The elements from number `first` on that can be seen.
+    pub(crate) fn seen_elements(&self, first: usize) -> impl Iterator<Item = &Element> {
+        let later = self.unseen.partition_point(|(number, _)| *number < first);
+        let unseen = self.unseen[later..].iter().map(|(number, _)| *number);
         let mut unseen = unseen.peekable();
-        let numbered = self.drawing.elements.iter().enumerate().skip(from);
+        let numbered = self.drawing.elements.iter().enumerate().skip(first);
         numbered.filter(move |(number, _)| unseen.next_if_eq(number).is_none()).map(|(_, element)| element)
     }
 
@@ -219,11 +220,11 @@ impl<'o> Collector<'o> {
             return Ok(());
         };
         let (start, end) = (first.start(), last.end());
-        let meets = start.distance(end) <= SAME;
-        if chain.closed && !meets {
+        let is_closed = start.distance(end) <= SAME;
+        if chain.closed && !is_closed {
             segments.push(geom::Line::new(end, start).into());
         }
-        let closed = chain.closed || self.options.closes && meets && turns(&segments);
+        let closed = chain.closed || self.options.closes && is_closed && turns(&segments);
         self.push(place, Figure::Path(Path { segments, closed }));
         Ok(())
     }

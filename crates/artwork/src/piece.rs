@@ -80,10 +80,10 @@ impl Piece {
         let largest = match self {
             Self::Line(a, b) => [point(a), point(b)].into_iter().fold(0.0, worse),
             Self::Ellipse { center, u, v, start, sweep, ends } => {
-                let far = if sweep.abs() <= PI { rise(*u, *v, *sweep) } else { u.length() + v.length() };
-                let from =
+                let reach = if sweep.abs() <= PI { rise(*u, *v, *sweep) } else { u.length() + v.length() };
+                let farthest =
                     if sweep.abs() <= PI { ends.iter().map(point).fold(0.0, worse) } else { point(center) };
-                from + far + 0.0 * (start + sweep)
+                farthest + reach + 0.0 * (start + sweep)
             }
             Self::Cubic(points) => points.iter().map(point).fold(0.0, worse),
             Self::Rational(points) => {
@@ -95,27 +95,27 @@ impl Piece {
 
     /// Appends the piece as lines and arcs that leave it by at most `tolerance`; lines and circular arcs are exact.
     /// `false` if there would be more than `limit` segments.
-    pub(crate) fn append(&self, tolerance: f64, limit: usize, out: &mut Vec<Segment>) -> bool {
+    pub(crate) fn append(&self, tolerance: f64, limit: usize, segments: &mut Vec<Segment>) -> bool {
         match self {
             Self::Line(a, b) => {
-                push_line(Line::new(*a, *b), out);
-                out.len() <= limit
+                push_line(Line::new(*a, *b), segments);
+                segments.len() <= limit
             }
             Self::Ellipse { center, u, v, start, sweep, ends } => {
                 if sweep.abs() <= PI && is_straight(rise(*u, *v, *sweep), sweep.abs(), tolerance) {
-                    push_line(Line::new(ends[0], ends[1]), out);
-                    return out.len() <= limit;
+                    push_line(Line::new(ends[0], ends[1]), segments);
+                    return segments.len() <= limit;
                 }
                 if let Some(arc) = circular(*center, *u, *v, *start, *sweep) {
-                    return push_arc(&arc, *ends, 0.5 * tolerance, limit, out);
+                    return push_arc(&arc, *ends, 0.5 * tolerance, limit, segments);
                 }
                 quarters(*u, *v, *start, *sweep).windows(2).all(|ends| {
                     let part = EllipsePart { center: *center, u: *u, v: *v, start: ends[0], end: ends[1] };
-                    fit(&part, tolerance, limit, out)
+                    fit(&part, tolerance, limit, segments)
                 })
             }
-            Self::Cubic(points) => fit(points, tolerance, limit, out),
-            Self::Rational(points) => fit(points, tolerance, limit, out),
+            Self::Cubic(points) => fit(points, tolerance, limit, segments),
+            Self::Rational(points) => fit(points, tolerance, limit, segments),
         }
     }
 }

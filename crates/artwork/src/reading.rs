@@ -11,9 +11,9 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Artwork, Vec<
         Some(Format::Svg) => crate::read_svg(bytes, options),
         Some(Format::Dxf) => crate::read_dxf(bytes, options),
         None => {
-            let found = name.rsplit_once('.').map_or("no ending", |(_, ending)| ending);
-            let found: String = found.chars().take(20).collect();
-            let text = format!("The ending of the file name is \"{found}\"; \"svg\" and \"dxf\" are read.");
+            let ending = name.rsplit_once('.').map_or("no ending", |(_, ending)| ending);
+            let ending: String = ending.chars().take(20).collect();
+            let text = format!("The ending of the file name is \"{ending}\"; \"svg\" and \"dxf\" are read.");
             Err(Fault::only(Place::default(), text, "Export the drawing as SVG or as ASCII DXF."))
         }
     }

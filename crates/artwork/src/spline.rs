@@ -32,9 +32,9 @@ impl Nurbs {
             ));
         }
         if self.knots.len() != n + p + 1 {
-            let found = self.knots.len();
+            let knot_count = self.knots.len();
             return Some(format!(
-                "A spline of degree {p} with {n} points has {found} knots instead of {}.",
+                "A spline of degree {p} with {n} points has {knot_count} knots instead of {}.",
                 n + p + 1
             ));
         }
@@ -77,8 +77,8 @@ impl Nurbs {
             for i in (r..=p).rev() {
                 let (low, high) = (self.knots[k - p + i], self.knots[k + 1 + i - r]);
                 let share = (u - low) / (high - low);
-                let before = level[i - 1];
-                level[i] = [0, 1, 2].map(|c| (1.0 - share) * before[c] + share * level[i][c]);
+                let previous = level[i - 1];
+                level[i] = [0, 1, 2].map(|c| (1.0 - share) * previous[c] + share * level[i][c]);
             }
         }
         level[p]
@@ -100,14 +100,14 @@ pub(crate) fn through(points: &[Point], ends: [Option<Vec2>; 2], closed: bool) -
     // A closed one is continued round by some points: the influence of an end falls to a quarter with each point.
     let overlap = if closed { 16 } else { 0 };
     let count = points.len() - 1;
-    let around = |i: usize| points[(i + count * overlap - overlap) % count];
+    let point_around = |i: usize| points[(i + count * overlap - overlap) % count];
     let extended: Vec<Point> =
-        if closed { (0..=count + 2 * overlap).map(around).collect() } else { points.clone() };
-    let slopes = slopes(&extended, ends);
+        if closed { (0..=count + 2 * overlap).map(point_around).collect() } else { points.clone() };
+    let knot_slopes = slopes(&extended, ends);
     let steps = (overlap..overlap + count).map(|i| {
         let (a, b) = (extended[i], extended[i + 1]);
         let third = a.distance(b) / 3.0;
-        Piece::Cubic([a, a + slopes[i] * third, b + slopes[i + 1] * -third, b])
+        Piece::Cubic([a, a + knot_slopes[i] * third, b + knot_slopes[i + 1] * -third, b])
     });
     steps.collect()
 }
@@ -134,13 +134,13 @@ fn slopes(points: &[Point], ends: [Option<Vec2>; 2]) -> Vec<Vec2> {
         let pivot = diagonal - below * upper;
         solved.push((above / pivot, (right - value * below) * (1.0 / pivot)));
     }
-    let mut out = vec![Vec2::default(); n];
+    let mut slopes = vec![Vec2::default(); n];
     let mut next = Vec2::default();
-    for (slot, (upper, value)) in out.iter_mut().zip(solved).rev() {
+    for (slot, (upper, value)) in slopes.iter_mut().zip(solved).rev() {
         next = value - next * upper;
         *slot = next;
     }
-    out
+    slopes
 }
 
 #[cfg(test)]

@@ -87,8 +87,8 @@ impl DrawnPiece {
         drawing: &DrawingSpec,
         sketch: &Sketch,
     ) -> Result<(Self, Vec<Warning>, Vec<String>), Refusals> {
-        let rules = rules(spec, drawing);
-        let sealing = sealed_shape(sketch, &rules);
+        let sealing_rules = rules(spec, drawing);
+        let sealing = sealed_shape(sketch, &sealing_rules);
         let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
             sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
         let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
@@ -97,7 +97,7 @@ impl DrawnPiece {
         let passage = narrow.map(|warning| warning.found).reduce(f64::min);
         let mut warnings: Vec<Warning> = warned.iter().map(faults::refusal).collect();
         let part = DrawnCut::new(&shape, &holes)?;
-        let (allowance, diameter) = (rules.allowance, spec.sheet.hole_diameter.0);
+        let (allowance, diameter) = (sealing_rules.allowance, spec.sheet.hole_diameter.0);
         let room = Clearance::new(&shape, &air, &part);
         let registration = marks::registration(&shape, &part, &room, allowance, diameter);
         if registration.is_empty() && diameter > 0.0 {
@@ -120,7 +120,7 @@ impl DrawnPiece {
             labels,
             separator,
             passage,
-            least_passage: rules.least_passage,
+            least_passage: sealing_rules.least_passage,
         };
         Ok((piece, warnings, repairs))
     }
@@ -150,9 +150,9 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
 /// The drawing of `spec` as it was read.
 fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Artwork>, Refusals> {
     let Some(content) = &drawing.content else {
-        let found = format!("the drawing {:?} was not read", drawing.file);
+        let problem = format!("the drawing {:?} was not read", drawing.file);
         let remedy = "it must lie beside the spec";
-        return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
+        return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, problem, remedy).into());
     };
     let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
     content.read(&drawing.file, &options).map_err(|faults| faults.iter().map(faults::unreadable).collect())
@@ -276,22 +276,22 @@ pub fn drawing_notes(spec: &Spec) -> Vec<String> {
 
 /// The refusal of a drawing without air and seams, which names the layers that are hidden or cannot be read.
 fn nothing_drawn(read: &Artwork, is_dxf: bool) -> Refusal {
-    let mut found = "no edge of air and no seam is drawn".to_owned();
+    let mut problem = "no edge of air and no seam is drawn".to_owned();
     let mut remedy = if read.elements.is_empty() {
         "draw the edges of the air, and export the drawing again"
     } else {
         "give a layer the role air or seam"
     };
     for LeftOut { layer, text, .. } in LeftOut::unread(read, is_dxf) {
-        let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
+        let _ = write!(problem, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
         remedy =
             "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";
     }
     for LeftOut { layer, .. } in LeftOut::hidden(read, is_dxf) {
-        let _ = write!(found, "; layer {layer:?} is hidden");
+        let _ = write!(problem, "; layer {layer:?} is hidden");
         remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
     }
-    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy)
+    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, problem, remedy)
 }
 
 /// The question about the unit of a sketch whose size is unusual.
@@ -313,13 +313,13 @@ pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
 
 /// The sketch of `drawing` by its roles, its measures, and the notes on its repairs.
 fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, Vec<String>), Refusals> {
-    let read = read(spec, drawing)?;
-    roles::refusals(&read, drawing).or(())?;
-    let sketch = roles::sketch(&read, drawing);
+    let artwork = read(spec, drawing)?;
+    roles::refusals(&artwork, drawing).or(())?;
+    let sketch = roles::sketch(&artwork, drawing);
     if sketch.air.is_empty() && sketch.seams.is_empty() {
-        return Err(nothing_drawn(&read, drawing.is_dxf()).into());
+        return Err(nothing_drawn(&artwork, drawing.is_dxf()).into());
     }
-    let mut notes = roles::notes(&read, drawing);
+    let mut notes = roles::notes(&artwork, drawing);
     notes.extend(unusual_size(&sketch));
-    Ok((sketch, measure::measures(&read, drawing), notes))
+    Ok((sketch, measure::measures(&artwork, drawing), notes))
 }

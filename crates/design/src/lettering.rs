@@ -70,12 +70,12 @@ pub(super) fn width(text: &str, height: f64) -> f64 {
 
 /// The text in a straight line, from `origin` to the right.
 pub fn lettered(text: &str, origin: Point, height: f64) -> Vec<Path> {
-    let mut out = Vec::new();
+    let mut strokes = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);
-        out.extend(glyph(c, origin + shift, Vec2::new(1.0, 0.0), height));
+        strokes.extend(glyph(c, origin + shift, Vec2::new(1.0, 0.0), height));
     }
-    out
+    strokes
 }
 
 /// The text along a circle around `center`, clockwise, its tops outwards, its middle in direction `middle`;
@@ -83,23 +83,25 @@ pub fn lettered(text: &str, origin: Point, height: f64) -> Vec<Path> {
 pub(super) fn circular_text(text: &str, center: Point, radius: f64, middle: f64, height: f64) -> Vec<Path> {
     let scale = height / CAPITAL;
     let total = width(text, height);
-    let mut out = Vec::new();
+    let mut strokes = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         // Distance of this glyph's middle to the right of the text's middle.
         let right = f64::from(i) * ADVANCE * scale + 2.0 * scale - total / 2.0;
-        let up = Vec2::unit(middle - right / radius);
-        let along = -up.perp();
-        let origin = center + up * (radius - height / 2.0) - along * (2.0 * scale);
-        out.extend(glyph(c, origin, along, height));
+        let upward = Vec2::unit(middle - right / radius);
+        let baseline = -upward.perp();
+        let origin = center + upward * (radius - height / 2.0) - baseline * (2.0 * scale);
+        strokes.extend(glyph(c, origin, baseline, height));
     }
-    out
+    strokes
 }
 
-/// The strokes of `c` from its lower left corner `origin` on, written towards the unit vector `along`, its capitals `height` mm high.
-pub(super) fn glyph(c: char, origin: Point, along: Vec2, height: f64) -> impl Iterator<Item = Path> {
-    let (right, up) = (along * (height / CAPITAL), along.perp() * (height / CAPITAL));
-    let at = move |[x, y]: [u8; 2]| origin + right * f64::from(x) + up * f64::from(y);
-    strokes(c).into_iter().map(move |stroke| Path::through(&stroke.into_iter().map(at).collect::<Vec<_>>()))
+/// The strokes of `c` from its lower left corner `origin` on, written towards the unit vector `baseline`, its capitals `height` mm high.
+pub(super) fn glyph(c: char, origin: Point, baseline: Vec2, height: f64) -> impl Iterator<Item = Path> {
+    let (right, upward) = (baseline * (height / CAPITAL), baseline.perp() * (height / CAPITAL));
+    let grid_point = move |[x, y]: [u8; 2]| origin + right * f64::from(x) + upward * f64::from(y);
+    strokes(c)
+        .into_iter()
+        .map(move |stroke| Path::through(&stroke.into_iter().map(grid_point).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]
@@ -110,8 +112,9 @@ mod tests {
     fn every_glyph_stands_on_its_grid() {
         for (c, strokes) in GLYPHS {
             assert!(strokes.split(' ').all(|s| s.len() >= 4 && s.len() % 2 == 0), "{c}: {strokes}");
-            let out: Vec<Path> = glyph(c, Point::ORIGIN, Vec2::new(1.0, 0.0), 6.0).collect();
-            let bounds = out.iter().map(Path::bounds).reduce(geom::Bounds::union).expect("strokes");
+            let strokes_of_glyph: Vec<Path> = glyph(c, Point::ORIGIN, Vec2::new(1.0, 0.0), 6.0).collect();
+            let bounds =
+                strokes_of_glyph.iter().map(Path::bounds).reduce(geom::Bounds::union).expect("strokes");
             assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");
             assert!(bounds.max.x <= 4.0 && bounds.max.y <= 6.0, "{c}");
         }
@@ -130,8 +133,8 @@ mod tests {
         for (a, b) in strokes.iter().flat_map(|stroke| stroke.iter().zip(&stroke[1..])) {
             let along = |p: &(i32, i32)| (p.0 - a.0) * (b.0 - a.0) + (p.1 - a.1) * (b.1 - a.1);
             let across = |p: &(i32, i32)| (p.0 - a.0) * (b.1 - a.1) - (p.1 - a.1) * (b.0 - a.0);
-            let on = |p: &&(i32, i32)| across(p) == 0 && (0..=along(b)).contains(&along(p));
-            let mut points: Vec<(i32, i32)> = strokes.iter().flatten().filter(on).copied().collect();
+            let is_on = |p: &&(i32, i32)| across(p) == 0 && (0..=along(b)).contains(&along(p));
+            let mut points: Vec<(i32, i32)> = strokes.iter().flatten().filter(is_on).copied().collect();
             points.sort_by_key(along);
             points.dedup();
             pieces.extend(points.windows(2).map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]));
@@ -144,27 +147,27 @@ mod tests {
     fn no_glyph_has_more_strokes_than_it_needs_or_a_line_twice() {
         for (c, strokes) in GLYPHS {
             let strokes = grid(strokes);
-            let mut pieces = pieces(&strokes);
-            let all = pieces.len();
-            pieces.sort_unstable();
-            pieces.dedup();
-            assert_eq!(pieces.len(), all, "{c} has a line twice");
-            let mut needed = 0;
-            while let Some(first) = pieces.pop() {
+            let mut glyph_pieces = pieces(&strokes);
+            let count = glyph_pieces.len();
+            glyph_pieces.sort_unstable();
+            glyph_pieces.dedup();
+            assert_eq!(glyph_pieces.len(), count, "{c} has a line twice");
+            let mut fewest = 0;
+            while let Some(first) = glyph_pieces.pop() {
                 let mut figure = first.to_vec();
                 while let Some(next) =
-                    pieces.iter().position(|piece| piece.iter().any(|p| figure.contains(p)))
+                    glyph_pieces.iter().position(|piece| piece.iter().any(|p| figure.contains(p)))
                 {
-                    figure.extend(pieces.swap_remove(next));
+                    figure.extend(glyph_pieces.swap_remove(next));
                 }
                 let meeting = |p: &(i32, i32)| figure.iter().filter(|q| *q == p).count();
                 let mut odd: Vec<(i32, i32)> =
                     figure.iter().filter(|p| !meeting(p).is_multiple_of(2)).copied().collect();
                 odd.sort_unstable();
                 odd.dedup();
-                needed += (odd.len() / 2).max(1);
+                fewest += (odd.len() / 2).max(1);
             }
-            assert_eq!(strokes.len(), needed, "{c}");
+            assert_eq!(strokes.len(), fewest, "{c}");
         }
     }
 
@@ -172,9 +175,9 @@ mod tests {
     fn text_around_a_circle_keeps_between_two_circles() {
         let paths = circular_text("STAR 12", Point::new(3.0, 4.0), 40.0, 1.0, 3.0);
         for path in &paths {
-            let near = path.distance(Point::new(3.0, 4.0));
-            let far = path.furthest(Point::new(3.0, 4.0));
-            assert!(near > 38.4 && far < 41.7, "{near} {far}");
+            let nearest = path.distance(Point::new(3.0, 4.0));
+            let furthest = path.furthest(Point::new(3.0, 4.0));
+            assert!(nearest > 38.4 && furthest < 41.7, "{nearest} {furthest}");
         }
         assert_eq!(lettered("A B", Point::ORIGIN, 6.0).len(), 3);
         assert_eq!(width("A B", 6.0), 16.0);

@@ -93,18 +93,22 @@ impl MaskTiles {
     /// # Errors
     /// If the middle with all windows is too large for the bed, or a tip is.
     pub fn new(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Option<Bed>) -> Result<Self, Refusal> {
-        let whole = |fit: BedFit| Self {
+        let one_tile = |fit: BedFit| Self {
             tiles: vec![MaskTile { edge: mask.plate.clone(), tip: None, turn: fit.turn, size: fit.size }],
             joints: Vec::new(),
         };
         let Some(bed) = bed else {
             let bounds = mask.plate.bounds();
-            return Ok(whole(BedFit { turn: 0.0, size: [bounds.width(), bounds.height()], clearance: 0.0 }));
+            return Ok(one_tile(BedFit {
+                turn: 0.0,
+                size: [bounds.width(), bounds.height()],
+                clearance: 0.0,
+            }));
         };
         let plate = TurnedPath::new(mask.plate.clone());
         let fit = plate.best_fit(bed);
         if fit.clearance >= 0.0 {
-            return Ok(whole(fit));
+            return Ok(one_tile(fit));
         }
         let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
         let divisions: Vec<Division> =
@@ -140,11 +144,11 @@ impl MaskTiles {
         if tips.len() < cuts.len() {
             return Err(too_large("a tip", core));
         }
-        let (turn, kept) =
+        let (turn, is_kept) =
             most_kept(core, tips, bed).ok_or_else(|| too_large("the middle with all windows", core))?;
         let mut divided = Self { tiles: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
-        for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
+        for ((cut, edge), _) in cuts.iter().zip(tips).zip(&is_kept).filter(|(_, is_kept)| !**is_kept) {
             let fit = edge.best_fit(bed);
             if fit.clearance < 0.0 {
                 return Err(TooLarge { what: "a tip", size: fit.size });
@@ -186,8 +190,8 @@ impl MaskTile {
         let room = |p: Point| {
             let holes = outline.registration.iter().map(|hole| hole.center.distance(p) - hole.diameter / 2.0);
             let windows = mask.windows.iter().map(|window| window.distance(p));
-            let inside = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
-            holes.chain(windows).fold(inside, f64::min)
+            let edge_distance = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
+            holes.chain(windows).fold(edge_distance, f64::min)
         };
         let ray = Vec2::unit(star.tip_ray(tip));
         let on_ray = (0_u32..200).map(|i| Point::ORIGIN + ray * (star.tip_reach() * f64::from(i) / 200.0));
@@ -216,23 +220,23 @@ fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, V
         if clearance_on(&bounds, bed) < 0.0 {
             continue;
         }
-        let kept: Vec<bool> = tips
+        let is_kept: Vec<bool> = tips
             .iter()
             .map(|tip| {
-                let both = bounds.union(tip.bounds[index]);
-                let fits = clearance_on(&both, bed) >= 0.0;
+                let union = bounds.union(tip.bounds[index]);
+                let fits = clearance_on(&union, bed) >= 0.0;
                 if fits {
-                    bounds = both;
+                    bounds = union;
                 }
                 fits
             })
             .collect();
-        let (count, free) = (kept.iter().filter(|kept| **kept).count(), clearance_on(&bounds, bed));
+        let (count, free) = (is_kept.iter().filter(|is_kept| **is_kept).count(), clearance_on(&bounds, bed));
         let is_better = |(most, widest, ..): &(usize, f64, f64, Vec<bool>)| {
             count > *most || count == *most && free > *widest + 1e-6
         };
         if best.as_ref().is_none_or(is_better) {
-            best = Some((count, free, turn, kept));
+            best = Some((count, free, turn, is_kept));
         }
     }
     best.map(|(_, _, turn, kept)| (turn, kept))
@@ -246,16 +250,16 @@ struct TooLarge {
 }
 
 impl TooLarge {
-    /// The refusal of the bed, on which `enough` would have room for all pieces.
-    fn refusal(&self, enough: Bed) -> Refusal {
+    /// The refusal of the bed, on which `large_bed` would have room for all pieces.
+    fn refusal(&self, large_bed: Bed) -> Refusal {
         let [w, h] = self.size.map(|side| Readable(tenths_up(side)));
-        let [width, depth] = [enough.width, enough.depth].map(|side| Readable(side.0));
-        let found = format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what);
+        let [width, depth] = [large_bed.width, large_bed.depth].map(|side| Readable(side.0));
+        let problem = format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what);
         let remedy = format!(
             "bed must be at least \"{width} mm x {depth} mm\" for all pieces; without bed the mask is written whole, \
              to be cut from its drawings"
         );
-        Refusal::new(key::mask::BED, RefusalCode::SmallBed, found, remedy)
+        Refusal::new(key::mask::BED, RefusalCode::SmallBed, problem, remedy)
     }
 }
 
@@ -263,19 +267,19 @@ impl TooLarge {
 fn bed_for_all(divisions: &[Division], plate: &TurnedPath, mask: &MaskPlate, bed: Bed) -> Bed {
     let mut bed = bed;
     loop {
-        let whole = plate.best_fit(bed);
-        if whole.clearance >= 0.0 {
+        let plate_fit = plate.best_fit(bed);
+        if plate_fit.clearance >= 0.0 {
             return bed;
         }
         let Err(TooLarge { size, .. }) = MaskTiles::fitted(divisions, plate, mask, bed) else { return bed };
-        let larger = grown(bed, size);
+        let larger = enlarged(bed, size);
         // A plate that no joint cuts must fit as a whole, whatever rounding takes.
-        bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
+        bed = if larger == bed { enlarged(bed, plate_fit.size.map(|side| side + 0.1)) } else { larger };
     }
 }
 
 /// `bed`, where its sides are shorter as long as `size`, in tenths of a millimetre.
-fn grown(bed: Bed, size: [f64; 2]) -> Bed {
+fn enlarged(bed: Bed, size: [f64; 2]) -> Bed {
     let [width, depth] = size.map(tenths_up);
     Bed { width: Length(bed.width.0.max(width)), depth: Length(bed.depth.0.max(depth)) }
 }

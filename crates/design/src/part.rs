@@ -65,7 +65,7 @@ impl StarDesign {
         let outline =
             refusals.keep(Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, hole_diameter));
         let outer = refusals.keep(star_seam(&star, Side::Outside, channel.as_ref(), seal));
-        let drawn = refusals.keep(edges(&star, channel.as_ref(), 0.0));
+        let drawn_edges = refusals.keep(edges(&star, channel.as_ref(), 0.0));
         let realised = refusals.keep(edges(&star, channel.as_ref(), half_band));
         let mask = outline
             .as_ref()
@@ -74,7 +74,7 @@ impl StarDesign {
             let cut = refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask));
             (cut, refusals.keep(MaskTiles::new(&star, outline, mask, spec.mask.bed)))
         });
-        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(tiles)) {
+        match (inner.zip(outer), outline, drawn_edges.zip(realised), mask, cut.zip(tiles)) {
             (
                 Some((inner, outer)),
                 Some(outline),
@@ -147,17 +147,17 @@ pub fn realised_radius(r: f64, band: f64) -> f64 {
 
 /// A round iron of radius w/2 leaves `(w/2 - R) (1/sin(phi/2) - 1)` of a sharper hinge unsealed.
 fn realised(r: f64, phi: f64, band: f64) -> Realised {
-    let lost = (band / 2.0 - r).max(0.0);
-    Realised { radius: realised_radius(r, band), cusp: lost * (1.0 / libm::sin(phi / 2.0) - 1.0) }
+    let shortage = (band / 2.0 - r).max(0.0);
+    Realised { radius: realised_radius(r, band), cusp: shortage * (1.0 / libm::sin(phi / 2.0) - 1.0) }
 }
 
 /// The tube's two edges, concave hinges and fillets at least `least_radius` round.
 fn edges(star: &Star, channel: Option<&Channel>, least_radius: f64) -> Result<[Path; 2], Refusal> {
     let contour = |side| star.contour(side, 0.0, least_radius).unwrap_or_default();
-    let outside = contour(Side::Outside);
+    let outer_edge = contour(Side::Outside);
     let outer = match channel {
-        Some(channel) => channel.open(star, &outside, 0.0, least_radius, 0.0)?,
-        None => outside.path(),
+        Some(channel) => channel.open(star, &outer_edge, 0.0, least_radius, 0.0)?,
+        None => outer_edge.path(),
     };
     Ok([contour(Side::Hole).path(), outer])
 }

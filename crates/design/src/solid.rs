@@ -10,18 +10,19 @@ impl Drawing {
     /// Piece number `piece`, from 0, of the mask that [`Drawing::mask`] shows, as it lies on the printer's bed.
     pub fn printed_mask(design: &StarAssembly, star: usize, mirrored: bool, piece: usize) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
-        let this = part.tiles.tiles.get(piece)?;
-        let motion = this.motion(mirrored);
-        let one = !part.tiles.are_several();
+        let tile = part.tiles.tiles.get(piece)?;
+        let motion = tile.motion(mirrored);
+        let is_single = !part.tiles.are_several();
         let place = |path: &Path| Shape::Path(motion.path(path));
-        let windows = part.mask.windows.iter().filter(|_| this.tip.is_none());
-        let holes = part.outline.registration.iter().filter(|hole| one || this.edge.encloses(hole.center));
+        let windows = part.mask.windows.iter().filter(|_| tile.tip.is_none());
+        let holes =
+            part.outline.registration.iter().filter(|hole| is_single || tile.edge.encloses(hole.center));
         let holes = holes
             .map(|hole| Shape::Circle { center: motion.point(hole.center), radius: hole.diameter / 2.0 });
         Some(Self::around_axis(vec![
             (Layer::Registration, holes.collect()),
             (Layer::MaskWindow, windows.map(place).collect()),
-            (Layer::MaskPlate, vec![place(&this.edge)]),
+            (Layer::MaskPlate, vec![place(&tile.edge)]),
         ]))
     }
 

@@ -31,11 +31,11 @@ fn in_plane<'a, 'g>(
     record: &Record<'a, 'g>,
     reader: impl Fn(&Record<'a, 'g>) -> Result<Geometry, Flaw>,
 ) -> Result<Geometry, Flaw> {
-    let mirrored = mirrored(record)?;
+    let is_mirrored = mirrored(record)?;
     let geometry = reader(record)?;
     // The centre and axis of an ellipse are in world coordinates; its direction is mirrored where it is read.
-    let mirrored = mirrored && record.kind != "ELLIPSE" && !polyline::in_space(record)?;
-    Ok(Geometry { mirrored, ..geometry })
+    let is_mirrored = is_mirrored && record.kind != "ELLIPSE" && !polyline::in_space(record)?;
+    Ok(Geometry { mirrored: is_mirrored, ..geometry })
 }
 
 /// Whether the extrusion is along -z; refuses one along neither z nor -z.
@@ -138,8 +138,8 @@ fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Geom
         return Err(record.flaw("A SPLINE has neither control points nor two fit points.".into()));
     }
     let tangent = |code: i32| -> Result<Option<Vec2>, Flaw> {
-        let found = record.optional(code)?.zip(record.optional(code + 10)?);
-        Ok(found.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
+        let coordinates = record.optional(code)?.zip(record.optional(code + 10)?);
+        Ok(coordinates.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
     };
     let pieces = through(&fit, [tangent(12)?, tangent(13)?], closed);
     let remark = Some("It has fit points only; they are joined by a cubic spline, as CAD programs do.");

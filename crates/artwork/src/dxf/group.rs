@@ -11,7 +11,7 @@ pub(super) struct Group<'a> {
 }
 
 /// All groups up to the end of the file; group `i` is on the lines `2 i + 1` and `2 i + 2`.
-pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Fault>> {
+pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Vec<Fault>> {
     let mut lines = text.lines();
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {
@@ -21,9 +21,9 @@ pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Faul
             if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
                 break;
             }
-            let found: String = first.trim().chars().take(20).collect();
+            let beginning: String = first.trim().chars().take(20).collect();
             return Err(fault(
-                format!("\"{found}\" is not a group code."),
+                format!("\"{beginning}\" is not a group code."),
                 "Export the drawing as ASCII DXF again.",
             ));
         };
@@ -33,8 +33,8 @@ pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Faul
                 "Copy or export the file again: it is cut off.",
             ));
         };
-        if groups.len() >= most {
-            return Err(fault(format!("The file has more than {most} groups."), "Split the drawing."));
+        if groups.len() >= max_groups {
+            return Err(fault(format!("The file has more than {max_groups} groups."), "Split the drawing."));
         }
         let value = if code == 1 { value } else { value.trim() };
         groups.push(Group { code, value });
@@ -85,23 +85,23 @@ impl<'a> Record<'a, '_> {
 
     /// All values of a code as numbers.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, Flaw> {
-        let found = self.groups.iter().enumerate().filter(|(_, group)| group.code == code);
-        found.map(|(i, group)| self.parse(i, group)).collect()
+        let of_code = self.groups.iter().enumerate().filter(|(_, group)| group.code == code);
+        of_code.map(|(i, group)| self.parse(i, group)).collect()
     }
 
     /// The number of group `i`.
     pub(super) fn parse(&self, i: usize, group: &Group<'_>) -> Result<f64, Flaw> {
         group.value.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
-            let found: String = group.value.chars().take(20).collect();
-            let text = format!("Code {} of {} is \"{found}\", not a finite number.", group.code, self.kind);
+            let value: String = group.value.chars().take(20).collect();
+            let text = format!("Code {} of {} is \"{value}\", not a finite number.", group.code, self.kind);
             Flaw::At { text, line: self.line + 2 * (i + 1) + 1 }
         })
     }
 
     /// The first number of a code.
     pub(super) fn optional(&self, code: i32) -> Result<Option<f64>, Flaw> {
-        let found = self.groups.iter().enumerate().find(|(_, group)| group.code == code);
-        found.map(|(i, group)| self.parse(i, group)).transpose()
+        let of_code = self.groups.iter().enumerate().find(|(_, group)| group.code == code);
+        of_code.map(|(i, group)| self.parse(i, group)).transpose()
     }
 
     /// The first number of a code, or `default`.

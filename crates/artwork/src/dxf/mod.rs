@@ -58,25 +58,25 @@ fn unescaped(text: &str) -> Cow<'_, str> {
     if first.len() == text.len() {
         return Cow::Borrowed(text);
     }
-    let mut out = String::with_capacity(text.len());
-    out.push_str(first);
+    let mut plain = String::with_capacity(text.len());
+    plain.push_str(first);
     for part in parts {
         let code = part.get(..4).and_then(|digits| u32::from_str_radix(digits, 16).ok());
         if let Some(c) = code.and_then(char::from_u32).filter(|c| !c.is_control()) {
-            out.push(c);
-            out.push_str(&part[4..]);
+            plain.push(c);
+            plain.push_str(&part[4..]);
         } else {
-            out.push_str(MARK);
-            out.push_str(part);
+            plain.push_str(MARK);
+            plain.push_str(part);
         }
     }
-    Cow::Owned(out)
+    Cow::Owned(plain)
 }
 
 /// Length of the file's unit, mm: the user's, or $INSUNITS.
 fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> Option<f64> {
     let code = sections.units.map_or(0, |value| value.parse::<i64>().unwrap_or(-1));
-    let own = match code {
+    let file_unit = match code {
         1 => Some(Unit::Inch),
         2 => Some(Unit::Foot),
         4 => Some(Unit::Millimetre),
@@ -88,19 +88,20 @@ fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> O
         14 => Some(Unit::Decimetre),
         _ => None,
     };
-    match (collector.options.unit, own) {
-        (Some(given), Some(own)) if given != own => {
-            let text = format!("The unit \"{}\" replaces the file's unit \"{}\".", given.name(), own.name());
+    match (collector.options.unit, file_unit) {
+        (Some(chosen), Some(stated)) if chosen != stated => {
+            let text =
+                format!("The unit \"{}\" replaces the file's unit \"{}\".", chosen.name(), stated.name());
             collector.note(Weight::Information, Place::default(), text);
-            Some(given.millimetres())
+            Some(chosen.millimetres())
         }
         (Some(unit), _) | (None, Some(unit)) => Some(unit.millimetres()),
         (None, None) => {
-            let found = sections.units.map_or("is missing".into(), |value| format!("is {value}"));
+            let state = sections.units.map_or("is missing".into(), |value| format!("is {value}"));
             let text = match code {
-                0 => format!("The file has no unit: $INSUNITS {found}."),
+                0 => format!("The file has no unit: $INSUNITS {state}."),
                 _ => format!(
-                    "The file's unit is not read: $INSUNITS {found}; 1, 2, 4 to 6, 9, 10, 13 and 14 are."
+                    "The file's unit is not read: $INSUNITS {state}; 1, 2, 4 to 6, 9, 10, 13 and 14 are."
                 ),
             };
             if collector.options.assume {

@@ -36,38 +36,38 @@ pub(super) struct Sections<'a, 'g> {
 
 /// Finds the sections of a file.
 pub(super) fn sections<'a, 'g>(groups: &'g [Group<'a>]) -> Sections<'a, 'g> {
-    let mut out = Sections::default();
-    let mut at = 0;
-    while at + 1 < groups.len() {
-        let (start, name) = (&groups[at], &groups[at + 1]);
+    let mut sections = Sections::default();
+    let mut index = 0;
+    while index + 1 < groups.len() {
+        let (start, name) = (&groups[index], &groups[index + 1]);
         if start.code != 0 || start.value != "SECTION" || name.code != 2 {
-            at += 1;
+            index += 1;
             continue;
         }
-        let from = at + 2;
+        let from = index + 2;
         let length = groups[from..].iter().position(|group| group.code == 0 && group.value == "ENDSEC");
         let to = length.map_or(groups.len(), |length| from + length);
         let body = &groups[from..to];
         match name.value {
-            "HEADER" => out.units = header(body, "$INSUNITS"),
-            "TABLES" => out.layers = layers(&records(body, from)),
-            "BLOCKS" => out.blocks = blocks(records(body, from)),
+            "HEADER" => sections.units = header(body, "$INSUNITS"),
+            "TABLES" => sections.layers = layers(&records(body, from)),
+            "BLOCKS" => sections.blocks = blocks(records(body, from)),
             "ENTITIES" => {
-                out.has_entities = true;
-                out.entities = records(body, from);
-                out.entities.retain(|record| record.kind != "EOF");
+                sections.has_entities = true;
+                sections.entities = records(body, from);
+                sections.entities.retain(|record| record.kind != "EOF");
             }
             _ => {}
         }
-        at = to;
+        index = to;
     }
-    out
+    sections
 }
 
 /// The value of a header variable.
 fn header<'a>(groups: &[Group<'a>], name: &str) -> Option<&'a str> {
-    let at = groups.iter().position(|group| group.code == 9 && group.value == name)?;
-    groups.get(at + 1).map(|group| group.value)
+    let place = groups.iter().position(|group| group.code == 9 && group.value == name)?;
+    groups.get(place + 1).map(|group| group.value)
 }
 
 fn layers(records: &[Record<'_, '_>]) -> BTreeMap<String, Layer> {
@@ -81,7 +81,7 @@ fn layers(records: &[Record<'_, '_>]) -> BTreeMap<String, Layer> {
 }
 
 fn blocks<'a, 'g>(records: Vec<Record<'a, 'g>>) -> BTreeMap<String, Block<'a, 'g>> {
-    let mut out = BTreeMap::new();
+    let mut blocks = BTreeMap::new();
     let mut open: Option<Block<'a, 'g>> = None;
     for record in records {
         match (record.kind, open.as_mut()) {
@@ -89,12 +89,12 @@ fn blocks<'a, 'g>(records: Vec<Record<'a, 'g>>) -> BTreeMap<String, Block<'a, 'g
             ("ENDBLK", _) => {
                 if let Some(block) = open.take() {
                     let name = block.head.text(2).unwrap_or_default().to_lowercase();
-                    drop(out.insert(name, block));
+                    drop(blocks.insert(name, block));
                 }
             }
             (_, Some(block)) => block.entities.push(record),
             (_, None) => {}
         }
     }
-    out
+    blocks
 }

@@ -54,8 +54,8 @@ pub(super) struct Walk<'s, 'a, 'g, 'c, 'o> {
 }
 
 impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
-    pub(super) fn new(sections: &'s Sections<'a, 'g>, out: &'c mut Collector<'o>) -> Self {
-        Self { sections, out }
+    pub(super) fn new(sections: &'s Sections<'a, 'g>, collector: &'c mut Collector<'o>) -> Self {
+        Self { sections, out: collector }
     }
 
     /// Reads all entities of the drawing; `map` leads to mm.
@@ -66,15 +66,15 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 
     fn entities(&mut self, entities: &[Record<'a, 'g>], context: &Context) -> Result<(), Stop> {
-        let mut at = 0;
-        while let Some(record) = entities.get(at) {
-            at += 1;
+        let mut index = 0;
+        while let Some(record) = entities.get(index) {
+            index += 1;
             let parts = match record.kind {
-                "POLYLINE" => entities[at..].iter().take_while(|part| part.kind == "VERTEX").count(),
+                "POLYLINE" => entities[index..].iter().take_while(|part| part.kind == "VERTEX").count(),
                 _ => 0,
             };
-            let vertices = &entities[at..at + parts];
-            at += parts;
+            let vertices = &entities[index..index + parts];
+            index += parts;
             self.out.visit()?;
             let inner = [record].into_iter().chain(vertices);
             self.out.text(inner.map(|record| 4 * record.groups.len()).sum())?;
@@ -111,7 +111,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         vertices: &[Record<'_, '_>],
         context: &Context,
     ) -> Result<Place, Stop> {
-        let own = match record.text(5) {
+        let handle = match record.text(5) {
             Some(handle) => format!("{} {handle}", record.kind),
             None => format!("{} at line {}", record.kind, record.line),
         };
@@ -123,7 +123,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         }
         let own_names = layers.len() + if inherits { context.inherited } else { 0 };
         layers.extend(context.layers.iter().filter(|name| inherits || **name != layer).cloned());
-        let id = format!("{}{own}", context.path);
+        let id = format!("{}{handle}", context.path);
         self.out.text(id.len() + layers.iter().map(|name| 24 + name.len()).sum::<usize>())?;
         // The first point of a hatch is its height, and a polyline's own is one of its vertices.
         let (located, nth) = match record.kind {
@@ -132,12 +132,12 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             _ => (record, 0),
         };
         let number = |code| {
-            let mut found = located.groups.iter().filter(|group| group.code == code);
-            found.nth(nth)?.value.parse::<f64>().ok()
+            let mut values = located.groups.iter().filter(|group| group.code == code);
+            values.nth(nth)?.value.parse::<f64>().ok()
         };
-        let at = number(10).zip(number(20)).map(|(x, y)| context.map.point(Point::new(x, y)));
-        let at = at.filter(|at| at.x.is_finite() && at.y.is_finite());
-        Ok(Place { element: Some(id), layers, own_names, line: Some(record.line), at })
+        let point = number(10).zip(number(20)).map(|(x, y)| context.map.point(Point::new(x, y)));
+        let point = point.filter(|point| point.x.is_finite() && point.y.is_finite());
+        Ok(Place { element: Some(id), layers, own_names, line: Some(record.line), at: point })
     }
 
     fn layer(&self, name: &str) -> Layer {
@@ -254,8 +254,8 @@ fn colour(record: &Record<'_, '_>) -> Option<String> {
 /// The columns and rows of an INSERT.
 fn counts(record: &Record<'_, '_>) -> Result<[u32; 2], Flaw> {
     let count = |code| -> Result<u32, Flaw> {
-        let found = record.flags(code)?.max(1);
-        u32::try_from(found).map_err(|_| record.flaw(format!("Code {code} of INSERT is {found}.")))
+        let count = record.flags(code)?.max(1);
+        u32::try_from(count).map_err(|_| record.flaw(format!("Code {code} of INSERT is {count}.")))
     };
     Ok([count(70)?, count(71)?])
 }
@@ -270,12 +270,12 @@ fn copies(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<([u32; 2], C
     let base = Affine::translate(-base[0], -base[1]);
     let turn = Affine::rotate(record.number_or(50, 0.0)?);
     let scale = Affine::scale(record.number_or(41, 1.0)?, record.number_or(42, 1.0)?);
-    let at = Affine::translate(record.number(10)?, record.number(20)?);
-    let counts = counts(record)?;
+    let insertion = Affine::translate(record.number(10)?, record.number(20)?);
+    let rows_and_columns = counts(record)?;
     let steps = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
     let map = move |column: u32, row: u32| {
         let step = Affine::translate(f64::from(column) * steps[0], f64::from(row) * steps[1]);
-        mirror.after(&at).after(&turn).after(&step).after(&scale).after(&base)
+        mirror.after(&insertion).after(&turn).after(&step).after(&scale).after(&base)
     };
-    Ok((counts, Box::new(map)))
+    Ok((rows_and_columns, Box::new(map)))
 }

@@ -62,7 +62,7 @@ impl ConvexClip {
             return None;
         };
         let corner =
-            |piece: &Piece| if let Piece::Line(from, _) = piece { Some(map.point(*from)) } else { None };
+            |piece: &Piece| if let Piece::Line(start, _) = piece { Some(map.point(*start)) } else { None };
         let mut corners: Vec<Point> = chain.pieces.iter().map(corner).collect::<Option<_>>()?;
         if let (Some(Piece::Line(_, end)), Some(first)) = (chain.pieces.last(), corners.first()) {
             let end = map.point(*end);

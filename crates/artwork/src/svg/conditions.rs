@@ -54,12 +54,13 @@ pub(super) fn unmet<'a>(node: Node<'a, '_>) -> Option<(&'static str, &'a str)> {
         name.strip_prefix("http://www.w3.org/TR/SVG11/feature#").is_some_and(|name| FEATURES.contains(&name))
     };
     let english = |tag: &str| tag.split('-').next().is_some_and(|tag| tag.trim().eq_ignore_ascii_case("en"));
-    let holds = |name: &str, value: &str| match name {
+    let is_met = |name: &str, value: &str| match name {
         "requiredFeatures" => !value.trim().is_empty() && value.split_ascii_whitespace().all(feature),
         LANGUAGE => value.split(',').any(english),
         _ => false,
     };
-    let given = |name| Some((name, node.attribute(name)?));
-    let mut all = ["requiredExtensions", "requiredFeatures", LANGUAGE].into_iter().filter_map(given);
-    all.find(|(name, value)| !holds(name, value))
+    let condition = |name| Some((name, node.attribute(name)?));
+    let mut conditions =
+        ["requiredExtensions", "requiredFeatures", LANGUAGE].into_iter().filter_map(condition);
+    conditions.find(|(name, value)| !is_met(name, value))
 }

@@ -28,9 +28,9 @@ impl Source {
 
     /// The place of a node in words: "line 12", and if it is not the first there, "line 12, column 40".
     pub(super) fn place_in_words(&self, node: Node<'_, '_>) -> String {
-        let (line, at) = (self.line(node), node.range().start);
+        let (line, offset) = (self.line(node), node.range().start);
         match self.lines.get(line.saturating_sub(1)) {
-            Some((start, first)) if at > *first => format!("line {line}, column {}", at - start + 1),
+            Some((start, first)) if offset > *first => format!("line {line}, column {}", offset - start + 1),
             _ => format!("line {line}"),
         }
     }

@@ -18,20 +18,20 @@ pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
         let line = text[..at].matches('\n').count() + 1;
         Fault::only(Place::line(line), found, "Save the drawing as plain SVG.")
     };
-    if let Some(at) = crowded(text.as_bytes()) {
-        let found = format!("An element has more than {ATTRIBUTES} attributes.");
-        return Err(fault(at, found));
+    if let Some(offset) = crowded(text.as_bytes()) {
+        let problem = format!("An element has more than {ATTRIBUTES} attributes.");
+        return Err(fault(offset, problem));
     }
     if text.matches("xmlns").count() > NAMESPACES {
-        let found = format!("The file declares more than {NAMESPACES} namespaces.");
-        return Err(fault(0, found));
+        let problem = format!("The file declares more than {NAMESPACES} namespaces.");
+        return Err(fault(0, problem));
     }
-    if let Some(at) = text.find("<!ENTITY") {
-        let subset = &text[at..text[at..].find("]>").map_or(text.len(), |end| at + end)];
+    if let Some(offset) = text.find("<!ENTITY") {
+        let subset = &text[offset..text[offset..].find("]>").map_or(text.len(), |end| offset + end)];
         let references = text.bytes().filter(|&byte| byte == b'&').count();
         if subset.contains('&') || subset.len().saturating_mul(references) > EXPANDED {
-            let found = "Its entities are nested, or expand to too much text.".to_owned();
-            return Err(fault(at, found));
+            let problem = "Its entities are nested, or expand to too much text.".to_owned();
+            return Err(fault(offset, problem));
         }
     }
     Ok(())
@@ -39,16 +39,16 @@ pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
 
 /// The place of a tag with too many attributes.
 fn crowded(bytes: &[u8]) -> Option<usize> {
-    let mut at = 0;
-    while at < bytes.len() {
-        let rest = &bytes[at..];
+    let mut offset = 0;
+    while offset < bytes.len() {
+        let rest = &bytes[offset..];
         let skipped = [(&b"<!--"[..], &b"-->"[..]), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
         if rest[0] != b'<' {
-            at += 1;
+            offset += 1;
         } else if let Some((open, close)) = skipped.iter().find(|(open, _)| rest.starts_with(open)) {
             let inner = &rest[open.len()..];
             let end = inner.windows(close.len()).position(|window| window == *close)?;
-            at += open.len() + end + close.len();
+            offset += open.len() + end + close.len();
         } else {
             let (mut count, mut quote, mut length) = (0, None, 1);
             while length < rest.len() && (quote.is_some() || rest[length] != b'>') {
@@ -61,9 +61,9 @@ fn crowded(bytes: &[u8]) -> Option<usize> {
                 length += 1;
             }
             if count > ATTRIBUTES {
-                return Some(at);
+                return Some(offset);
             }
-            at += length;
+            offset += length;
         }
     }
     None

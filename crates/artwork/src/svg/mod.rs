@@ -33,19 +33,19 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> 
     crate::admit::admit(bytes, crate::Format::Svg, options)?;
     let text = &*crate::encoding::svg(bytes)?;
     let document = parsed(text, options)?;
-    let mut out = Collector::new(options);
+    let mut collector = Collector::new(options);
     let root = document.root_element();
     if !is_svg(root) || root.tag_name().name() != "svg" {
         let text = format!("The root element is <{}>, not <svg>.", root.tag_name().name());
-        out.refuse(Place::line(1), text, "Export the drawing as SVG.");
-        return out.finish();
+        collector.refuse(Place::line(1), text, "Export the drawing as SVG.");
+        return collector.finish();
     }
-    let source = Source::new(text, sheet(&document, &mut out));
-    if let Some((map, viewport)) = viewport::page(root, head(text), &mut out) {
+    let source = Source::new(text, sheet(&document, &mut collector));
+    if let Some((map, viewport)) = viewport::page(root, head(text), &mut collector) {
         // A limit that is exceeded is among the faults.
-        let _ = walk::Walk::new(&document, &source, &mut out).run(&map, viewport);
+        let _ = walk::Walk::new(&document, &source, &mut collector).run(&map, viewport);
     }
-    out.finish()
+    collector.finish()
 }
 
 /// The first text of a file, where programs name themselves.
@@ -73,7 +73,7 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Faul
 }
 
 /// The rules of all style sheets in the file; notes on those that are not applied.
-fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> sheet::Sheet {
+fn sheet(document: &Document<'_>, collector: &mut Collector<'_>) -> sheet::Sheet {
     let mut sheet = sheet::Sheet::new();
     for node in document.root().descendants() {
         match node.node_type() {
@@ -86,7 +86,7 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> sheet::Sheet {
                 }
             }
             NodeType::PI if node.pi().is_some_and(|pi| pi.target == "xml-stylesheet") => {
-                out.note(Weight::Lost, Place::default(), "A style sheet in another file is not read.");
+                collector.note(Weight::Lost, Place::default(), "A style sheet in another file is not read.");
             }
             _ => {}
         }
@@ -95,7 +95,7 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> sheet::Sheet {
         let text =
             format!("The style rule \"{}\" is not applied: its selector is not read.", shortened(&rule.text));
         let weight = if rule.changes_geometry { Weight::Lost } else { Weight::Information };
-        out.note(weight, Place::default(), text);
+        collector.note(weight, Place::default(), text);
     }
     sheet
 }

@@ -33,9 +33,9 @@ impl Paint {
             _ => {}
         }
         if lower.starts_with("url(") {
-            let behind = value.find(')').map_or("", |end| value[end + 1..].trim());
+            let fallback = value.find(')').map_or("", |end| value[end + 1..].trim());
             // A colour behind the reference names the layer; "none" there is for a reference that leads nowhere.
-            return Some(Some(colour(behind).filter(|paint| *paint != Self::None).unwrap_or(Self::Other)));
+            return Some(Some(colour(fallback).filter(|paint| *paint != Self::None).unwrap_or(Self::Other)));
         }
         colour(value).map(Some)
     }
@@ -53,9 +53,9 @@ fn colour(text: &str) -> Option<Paint> {
 
 /// A colour function whose opacity is in per cent, as in "rgb(255 0 0 / 50%)".
 fn with_opacity(text: &str) -> Option<Color> {
-    let (before, last) = text.strip_suffix(')')?.rsplit_once(['/', ',', ' '])?;
+    let (channels, last) = text.strip_suffix(')')?.rsplit_once(['/', ',', ' '])?;
     let opacity: f64 = last.trim().strip_suffix('%')?.parse().ok()?;
-    Color::from_str(&format!("{}, {})", before.trim_end_matches([' ', '/', ',']), opacity / 100.0)).ok()
+    Color::from_str(&format!("{}, {})", channels.trim_end_matches([' ', '/', ',']), opacity / 100.0)).ok()
 }
 
 #[cfg(test)]

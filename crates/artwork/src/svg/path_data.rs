@@ -59,9 +59,11 @@ impl Pen {
     }
 
     fn draw(&mut self, segment: PathSegment) {
-        let at = self.at;
-        let place = |abs: bool, x: f64, y: f64| if abs { Point::new(x, y) } else { at + Vec2::new(x, y) };
-        let mirrored = |control: Option<Point>| control.map_or(at, |control| at + (at - control));
+        let current = self.at;
+        let place =
+            |abs: bool, x: f64, y: f64| if abs { Point::new(x, y) } else { current + Vec2::new(x, y) };
+        let mirrored =
+            |control: Option<Point>| control.map_or(current, |control| current + (current - control));
         let (cubic, quadratic) = (self.cubic.take(), self.quadratic.take());
         match segment {
             PathSegment::MoveTo { abs, x, y } => {
@@ -71,10 +73,10 @@ impl Pen {
             }
             PathSegment::LineTo { abs, x, y } => self.line(place(abs, x, y)),
             PathSegment::HorizontalLineTo { abs, x } => {
-                self.line(Point::new(if abs { x } else { at.x + x }, at.y));
+                self.line(Point::new(if abs { x } else { current.x + x }, current.y));
             }
             PathSegment::VerticalLineTo { abs, y } => {
-                self.line(Point::new(at.x, if abs { y } else { at.y + y }));
+                self.line(Point::new(current.x, if abs { y } else { current.y + y }));
             }
             PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
                 self.curve(place(abs, x1, y1), place(abs, x2, y2), place(abs, x, y));
@@ -87,7 +89,7 @@ impl Pen {
             PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } => {
                 let end = place(abs, x, y);
                 let flags = [large_arc, sweep];
-                self.push(elliptical([at, end], [rx.abs(), ry.abs()], x_axis_rotation, flags), end);
+                self.push(elliptical([current, end], [rx.abs(), ry.abs()], x_axis_rotation, flags), end);
             }
             PathSegment::ClosePath { .. } => {
                 self.chain.closed = true;
@@ -117,8 +119,8 @@ fn elliptical(
         return Piece::Line(from, to); // see `bulged`
     }
     let grow = square.sqrt().max(1.0);
-    let away = ((1.0 - square).max(0.0) / square).sqrt() * if large == positive { -1.0 } else { 1.0 };
-    let q = Vec2::new(p.y, -p.x) * away; // centre in that frame, from the middle of the chord
+    let distance = ((1.0 - square).max(0.0) / square).sqrt() * if large == positive { -1.0 } else { 1.0 };
+    let q = Vec2::new(p.y, -p.x) * distance; // centre in that frame, from the middle of the chord
     let (first, last) = (p + -q, -p + -q);
     let start = first.angle();
     let turn = libm::atan2(first.cross(last), first.dot(last));
@@ -146,28 +148,30 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     else {
         return None;
     };
-    let at = |center: Point, angle: f64| {
+    let point_at = |center: Point, angle: f64| {
         let (sin, cos) = libm::sincos(angle);
         center + *u * cos + *v * sin
     };
-    let near = ROUNDED * u.length().min(v.length());
+    let tolerance = ROUNDED * u.length().min(v.length());
     let alike =
-        (*u - *u2).length().max((*v - *v2).length()) <= 1e-9 * near && sweep.signum() == turn.signum();
-    let [from, to, back] = [at(*center, *start), at(*center, start + sweep), at(*second, begin + turn)];
-    let half = (from - to) * 0.5;
+        (*u - *u2).length().max((*v - *v2).length()) <= 1e-9 * tolerance && sweep.signum() == turn.signum();
+    let [start_point, middle_point, back] =
+        [point_at(*center, *start), point_at(*center, start + sweep), point_at(*second, begin + turn)];
+    let half = (start_point - middle_point) * 0.5;
     let (along, across) = (half.dot(*u) / u.dot(*u), half.dot(*v) / v.dot(*v));
     let factor = libm::hypot(along, across);
-    let is_rounded =
-        center.distance(*second) > 1e-9 * near && factor > 1.0 - ROUNDED && from.distance(back) <= near;
+    let is_rounded = center.distance(*second) > 1e-9 * tolerance
+        && factor > 1.0 - ROUNDED
+        && start_point.distance(back) <= tolerance;
     (alike && is_rounded).then(|| Chain {
         pieces: vec![Piece::ellipse(
-            from.midpoint(to),
+            start_point.midpoint(middle_point),
             [*u * factor, *v * factor],
             libm::atan2(across, along),
             sweep.signum() * std::f64::consts::TAU,
         )],
         closed: true,
-        start: from,
+        start: start_point,
     })
 }
 
@@ -176,9 +180,9 @@ mod tests {
     use super::*;
 
     fn only(data: &str) -> Vec<Piece> {
-        let mut chains = chains(data).expect("path data");
-        assert_eq!(chains.len(), 1, "{data}");
-        chains.remove(0).pieces
+        let mut subpaths = chains(data).expect("path data");
+        assert_eq!(subpaths.len(), 1, "{data}");
+        subpaths.remove(0).pieces
     }
 
     #[test]
@@ -208,8 +212,8 @@ mod tests {
         for flags in ["0 1", "1 1"] {
             let data = format!("M34.87 50A30.02 30.02 0 {flags} 94.9 50A30.02 30.02 0 {flags} 34.87 50Z");
             let read = chains(&data).expect("path data");
-            let whole = full_turn(&read[0]).expect("a circle");
-            let [Piece::Ellipse { center, u, sweep, .. }] = whole.pieces[..] else { panic!("{whole:?}") };
+            let circle = full_turn(&read[0]).expect("a circle");
+            let [Piece::Ellipse { center, u, sweep, .. }] = circle.pieces[..] else { panic!("{circle:?}") };
             assert!(center.distance(Point::new(64.885, 50.0)) < 1e-9 && (u.length() - 30.015).abs() < 1e-9);
             assert!((sweep - std::f64::consts::TAU).abs() < 1e-12);
         }
@@ -236,12 +240,12 @@ mod tests {
 
     #[test]
     fn subpaths_start_where_the_last_closed() {
-        let chains = chains("M1 1h2v2zl5 5M9 9").expect("path data");
+        let subpaths = chains("M1 1h2v2zl5 5M9 9").expect("path data");
         assert_eq!(
-            chains.iter().map(|chain| (chain.pieces.len(), chain.closed)).collect::<Vec<_>>(),
+            subpaths.iter().map(|chain| (chain.pieces.len(), chain.closed)).collect::<Vec<_>>(),
             [(2, true), (1, false)]
         );
-        assert_eq!(chains[1].pieces[0], Piece::Line(Point::new(1.0, 1.0), Point::new(6.0, 6.0)));
+        assert_eq!(subpaths[1].pieces[0], Piece::Line(Point::new(1.0, 1.0), Point::new(6.0, 6.0)));
         assert!(super::chains("M1 1 L nan 3").is_err());
         assert!(super::chains("L1 1").is_err());
     }

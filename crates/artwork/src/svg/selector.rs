@@ -76,9 +76,9 @@ impl Work {
 
     /// Takes `steps`; `false` once too few are left.
     pub(super) fn take(&self, steps: usize) -> bool {
-        let left = self.0.get().checked_sub(steps);
-        self.0.set(left.unwrap_or(0));
-        left.is_some()
+        let remaining = self.0.get().checked_sub(steps);
+        self.0.set(remaining.unwrap_or(0));
+        remaining.is_some()
     }
 
     pub(super) fn is_used_up(&self) -> bool {
@@ -92,9 +92,9 @@ impl Selector {
         let mut rest = text.trim();
         let mut selector = Self { compounds: Vec::new(), links: Vec::new() };
         loop {
-            let (compound, behind) = Compound::parsed(rest)?;
+            let (compound, tail) = Compound::parsed(rest)?;
             selector.compounds.push(compound);
-            let next = behind.trim_start();
+            let next = tail.trim_start();
             if next.is_empty() {
                 return Some(selector);
             }
@@ -102,7 +102,7 @@ impl Selector {
                 b'>' => (Link::Child, &next[1..]),
                 b'+' => (Link::Next, &next[1..]),
                 b'~' => (Link::Later, &next[1..]),
-                _ if next.len() < behind.len() => (Link::Inside, next),
+                _ if next.len() < tail.len() => (Link::Inside, next),
                 _ => return None,
             };
             selector.links.push(link);
@@ -141,9 +141,9 @@ impl Selector {
         if !work.take(1) || !self.compounds[last].matches(node, work) {
             return false;
         }
-        let Some(before) = last.checked_sub(1) else { return true };
-        let matches = |other: Node<'_, '_>| other.is_element() && self.matches_to(before, other, work);
-        match self.links[before] {
+        let Some(previous) = last.checked_sub(1) else { return true };
+        let matches = |other: Node<'_, '_>| other.is_element() && self.matches_to(previous, other, work);
+        match self.links[previous] {
             Link::Inside => node.ancestors().skip(1).any(matches),
             Link::Child => node.parent().is_some_and(matches),
             Link::Next => node.prev_sibling_element().is_some_and(matches),
@@ -157,26 +157,26 @@ impl Compound {
     fn parsed(text: &str) -> Option<(Self, &str)> {
         let mut compound = Self::default();
         let mut rest = text;
-        if let Some(behind) = text.strip_prefix('*') {
-            rest = behind;
+        if let Some(tail) = text.strip_prefix('*') {
+            rest = tail;
         } else if name_length(text) > 0 {
-            let (tag, behind) = text.split_at(name_length(text));
+            let (tag, tail) = text.split_at(name_length(text));
             compound.tag = Some(tag.to_owned());
-            rest = behind;
+            rest = tail;
         }
         while let Some(mark) = rest.chars().next().filter(|mark| ".#[:".contains(*mark)) {
-            let (condition, behind) = match mark {
+            let (condition, tail) = match mark {
                 '[' => attribute(&rest[1..])?,
                 ':' => pseudo(&rest[1..])?,
                 _ => {
-                    let (name, behind) = rest[1..].split_at(name_length(&rest[1..]));
+                    let (name, tail) = rest[1..].split_at(name_length(&rest[1..]));
                     let text = Some(name).filter(|name| !name.is_empty())?.to_owned();
                     let condition = if mark == '.' { Condition::Class(text) } else { Condition::Id(text) };
-                    (condition, behind)
+                    (condition, tail)
                 }
             };
             compound.conditions.push(condition);
-            rest = behind;
+            rest = tail;
         }
         (rest.len() < text.len()).then_some((compound, rest))
     }
@@ -225,16 +225,16 @@ impl Condition {
 }
 
 impl AttributeTest {
-    fn holds(self, value: &str, wanted: &str) -> bool {
-        let some = !wanted.is_empty();
+    fn holds(self, value: &str, operand: &str) -> bool {
+        let is_given = !operand.is_empty();
         match self {
-            Self::Equal => value == wanted,
-            Self::Word => value.split_ascii_whitespace().any(|word| word == wanted),
-            Self::Start => some && value.starts_with(wanted),
-            Self::End => some && value.ends_with(wanted),
-            Self::Part => some && value.contains(wanted),
+            Self::Equal => value == operand,
+            Self::Word => value.split_ascii_whitespace().any(|word| word == operand),
+            Self::Start => is_given && value.starts_with(operand),
+            Self::End => is_given && value.ends_with(operand),
+            Self::Part => is_given && value.contains(operand),
             Self::Language => {
-                value.strip_prefix(wanted).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+                value.strip_prefix(operand).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
             }
         }
     }
@@ -292,8 +292,8 @@ fn pseudo(text: &str) -> Option<(Condition, &str)> {
             nth(step, offset, name.to_ascii_lowercase().contains("last"))
         }
         "not" => {
-            let (compound, behind) = Compound::parsed(argument)?;
-            let is_simple = behind.is_empty();
+            let (compound, tail) = Compound::parsed(argument)?;
+            let is_simple = tail.is_empty();
             return is_simple.then_some((Condition::Not(compound), rest));
         }
         "hover" | "active" | "focus" | "focus-within" | "focus-visible" | "visited" | "link" | "any-link"

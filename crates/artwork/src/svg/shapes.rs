@@ -90,7 +90,7 @@ impl Shape<'_, '_> {
 
     /// A rectangle from its left upper side on, in the order of SVG 2; corners are quarters of ellipses.
     fn rect(&self) -> Result<Vec<Chain>, String> {
-        let at = self.point("x", "y")?;
+        let origin = self.point("x", "y")?;
         let (w, h) = (self.size("width", 0)?.unwrap_or(0.0), self.size("height", 1)?.unwrap_or(0.0));
         if w == 0.0 || h == 0.0 {
             return Ok(Vec::new());
@@ -98,7 +98,7 @@ impl Shape<'_, '_> {
         let [rx, ry] = self.radii()?;
         let (rx, ry) = (rx.unwrap_or(0.0).min(w / 2.0), ry.unwrap_or(0.0).min(h / 2.0));
         let (rx, ry) = if rx == 0.0 || ry == 0.0 { (0.0, 0.0) } else { (rx, ry) };
-        let corner = |(x, y): (f64, f64)| at + Vec2::new(x, y);
+        let corner = |(x, y): (f64, f64)| origin + Vec2::new(x, y);
         let (u, v) = (Vec2::new(rx, 0.0), Vec2::new(0.0, ry));
         let mut pieces = Vec::with_capacity(8);
         // Each side, then the corner behind it: its centre and its first angle.

@@ -145,7 +145,7 @@ pub(super) fn applies(prelude: &str) -> Option<bool> {
         let unseen = ["@font", "@page", "@keyframes", "@-", "@property", "@counter-style", "@position-try"];
         return unseen.iter().any(|name| text.starts_with(name)).then_some(false);
     };
-    let one = |query: &str| match query.trim().trim_start_matches("only ").trim() {
+    let query_applies = |query: &str| match query.trim().trim_start_matches("only ").trim() {
         "" | "all" | "screen" => Some(true),
         "print" | "speech" => Some(false),
         query if query.contains("prefers-color-scheme") && !query.contains("not") => {
@@ -153,10 +153,10 @@ pub(super) fn applies(prelude: &str) -> Option<bool> {
         }
         _ => None,
     };
-    let all: Vec<Option<bool>> = query.split(',').map(one).collect();
-    if all.contains(&Some(true)) {
+    let answers: Vec<Option<bool>> = query.split(',').map(query_applies).collect();
+    if answers.contains(&Some(true)) {
         Some(true)
-    } else if all.contains(&None) {
+    } else if answers.contains(&None) {
         None
     } else {
         Some(false)
@@ -193,31 +193,35 @@ pub(super) fn declared(text: &str, rank: impl Fn(bool) -> (bool, u32, usize)) ->
 
 /// The value without "!important", and whether it had that.
 fn without_importance(value: &str) -> (&str, bool) {
-    let Some((before, word)) = value.rsplit_once('!') else { return (value, false) };
-    if word.trim().eq_ignore_ascii_case("important") { (before.trim_end(), true) } else { (value, false) }
+    let Some((declaration, word)) = value.rsplit_once('!') else { return (value, false) };
+    if word.trim().eq_ignore_ascii_case("important") {
+        (declaration.trim_end(), true)
+    } else {
+        (value, false)
+    }
 }
 
 fn without_comments(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
+    let mut plain = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find("/*") {
-        out.push_str(&rest[..start]);
+        plain.push_str(&rest[..start]);
         // A comment separates words.
-        out.push(' ');
+        plain.push(' ');
         rest = rest[start..].find("*/").map_or("", |end| &rest[start + end + 2..]);
     }
-    out.push_str(rest);
-    out.replace("<!--", "").replace("-->", "")
+    plain.push_str(rest);
+    plain.replace("<!--", "").replace("-->", "")
 }
 
-/// The place of the first `wanted` outside of quotes and brackets.
-fn find_outside(text: &str, wanted: char) -> Option<usize> {
+/// The place of the first `character` outside of quotes and brackets.
+fn find_outside(text: &str, character: char) -> Option<usize> {
     let (mut quote, mut depth) = (None, 0_usize);
     for (place, c) in text.char_indices() {
         match (quote, c) {
             (Some(open), _) if open == c => quote = None,
             (None, '"' | '\'') => quote = Some(c),
-            (None, _) if c == wanted && depth == 0 => return Some(place),
+            (None, _) if c == character && depth == 0 => return Some(place),
             (None, '(' | '[') => depth += 1,
             (None, ')' | ']') => depth = depth.saturating_sub(1),
             _ => {}

@@ -41,8 +41,8 @@ impl<'a, 'd> Cascade<'a, 'd> {
 
     /// A property from `style` or a style sheet: the declaration of the highest rank that is understood, of equal ones the last.
     pub(super) fn styled(&self, name: &str) -> Option<&str> {
-        let all = self.declarations.iter().filter(|declaration| declaration.name == name);
-        let understood = all.filter(|declaration| is_understood(name, &declaration.value));
+        let declarations = self.declarations.iter().filter(|declaration| declaration.name == name);
+        let understood = declarations.filter(|declaration| is_understood(name, &declaration.value));
         understood.max_by_key(|declaration| declaration.rank).map(|declaration| declaration.value.as_str())
     }
 
@@ -143,8 +143,8 @@ impl Style {
 
     /// Stroke and fill as far as they can be seen.
     pub(super) fn seen(&self) -> [Paint; 2] {
-        let seen = |paint, opaque| if opaque { paint } else { Paint::None };
-        [seen(self.stroke, self.opaque[0] && self.wide), seen(self.fill, self.opaque[1])]
+        let visible = |paint, opaque| if opaque { paint } else { Paint::None };
+        [visible(self.stroke, self.opaque[0] && self.wide), visible(self.fill, self.opaque[1])]
     }
 
     /// Whether neither stroke nor fill can be seen.
@@ -185,12 +185,12 @@ mod tests {
         let text =
             "<svg><path id='p' class='b a'/><path class='a' style='stroke: pink'/><rect class='a'/></svg>";
         let rules = "/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray}";
-        let some = |words: [&str; 3]| words.map(|word| Some(word.to_owned())).to_vec();
-        assert_eq!(strokes(&sheet(rules), text), some(["gray", "pink", "blue"]));
+        let strokes_of = |words: [&str; 3]| words.map(|word| Some(word.to_owned())).to_vec();
+        assert_eq!(strokes(&sheet(rules), text), strokes_of(["gray", "pink", "blue"]));
         let without_id = rules.replace("#p{stroke:gray}", "");
         assert_eq!(strokes(&sheet(&without_id), text)[0].as_deref(), Some("#0F0"));
         let important = format!("{rules} *{{stroke:black ! important}}");
-        assert_eq!(strokes(&sheet(&important), text), some(["black"; 3]));
+        assert_eq!(strokes(&sheet(&important), text), strokes_of(["black"; 3]));
     }
 
     /// Each selector with the numbers of the elements that it matches.
@@ -218,19 +218,25 @@ mod tests {
             ("g path", [0, 0, 0]),
             ("* > .a", [1, 1, 0]),
         ] {
-            let sheet = sheet(&format!("{selector}{{stroke:red}}"));
-            let numbers =
-                strokes(&sheet, text).iter().map(|stroke| u8::from(stroke.is_some())).collect::<Vec<_>>();
+            let style_sheet = sheet(&format!("{selector}{{stroke:red}}"));
+            let numbers = strokes(&style_sheet, text)
+                .iter()
+                .map(|stroke| u8::from(stroke.is_some()))
+                .collect::<Vec<_>>();
             assert_eq!(numbers, wanted, "{selector}");
-            assert!(sheet.unread.is_empty(), "{selector}");
+            assert!(style_sheet.unread.is_empty(), "{selector}");
         }
     }
 
     #[test]
     fn rules_that_are_not_applied_are_listed_with_their_effect() {
         let unread = |text: &str| {
-            let sheet = sheet(text);
-            sheet.unread.iter().map(|rule| (rule.text.clone(), rule.changes_geometry)).collect::<Vec<_>>()
+            let style_sheet = sheet(text);
+            style_sheet
+                .unread
+                .iter()
+                .map(|rule| (rule.text.clone(), rule.changes_geometry))
+                .collect::<Vec<_>>()
         };
         let listed = |text: &str, changes| vec![(text.to_owned(), changes)];
         assert_eq!(unread("a:has(b){fill:none;stroke:red}"), listed("a:has(b)", false));
@@ -252,16 +258,16 @@ mod tests {
     #[test]
     fn what_is_not_understood_leaves_the_rest_in_force() {
         for value in ["light-dark(red, blue)", "var(--x)", "oklch(1 2 3)", "device-cmyk(0,1,1,0)"] {
-            let of = |attributes: &str| {
+            let stroke_of = |attributes: &str| {
                 strokes(&Sheet::new(), &format!("<svg><path {attributes}/></svg>")).remove(0)
             };
-            assert_eq!(of(&format!("stroke='#f00' style='stroke:{value}'")).as_deref(), Some("#f00"));
-            assert_eq!(of(&format!("style='stroke:#f00;stroke:{value}'")).as_deref(), Some("#f00"));
+            assert_eq!(stroke_of(&format!("stroke='#f00' style='stroke:{value}'")).as_deref(), Some("#f00"));
+            assert_eq!(stroke_of(&format!("style='stroke:#f00;stroke:{value}'")).as_deref(), Some("#f00"));
             assert_eq!(
-                of(&format!("style='stroke:#f00 ! important;stroke:{value} !important'")).as_deref(),
+                stroke_of(&format!("style='stroke:#f00 ! important;stroke:{value} !important'")).as_deref(),
                 Some("#f00")
             );
-            assert_eq!(of(&format!("style='stroke:{value}'")), None);
+            assert_eq!(stroke_of(&format!("style='stroke:{value}'")), None);
         }
     }
 }

@@ -25,17 +25,17 @@ impl Viewport {
     /// A length in user units along X (0), along Y (1) or of a radius (2).
     pub(super) fn length(self, name: &str, value: &str, axis: usize) -> Result<f64, String> {
         let fault = || {
-            let found: String = value.chars().take(20).collect();
+            let beginning: String = value.chars().take(20).collect();
             format!(
-                "Its {name} is \"{found}\"; a number, or one with mm, cm, Q, in, pt, pc, px or % is allowed."
+                "Its {name} is \"{beginning}\"; a number, or one with mm, cm, Q, in, pt, pc, px or % is allowed."
             )
         };
         let length = parsed(value).ok_or_else(fault)?;
         let [w, h] = self.0;
-        let whole = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
+        let reference = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
         match (length.unit, millimetres(length)) {
             (LengthUnit::None, _) => Ok(length.number),
-            (LengthUnit::Percent, _) => Ok(length.number / 100.0 * whole),
+            (LengthUnit::Percent, _) => Ok(length.number / 100.0 * reference),
             (_, Some(mm)) => Ok(mm / PIXEL),
             _ => Err(fault()),
         }
@@ -79,23 +79,24 @@ fn millimetres(length: Length) -> Option<f64> {
 /// The view box of an element; `Err` if it is malformed or its size is not above 0.
 pub(super) fn view_box(node: Node<'_, '_>) -> Result<Option<ViewBox>, String> {
     let read = |value: &str| {
-        let found = ViewBox::from_str(value).ok().filter(|found| found.w > 0.0 && found.h > 0.0);
-        found.ok_or_else(|| "Its viewBox is not four numbers with a width and a height above 0.".to_owned())
+        let view_box = ViewBox::from_str(value).ok().filter(|found| found.w > 0.0 && found.h > 0.0);
+        view_box
+            .ok_or_else(|| "Its viewBox is not four numbers with a width and a height above 0.".to_owned())
     };
     node.attribute("viewBox").map(read).transpose()
 }
 
 /// The map of a view box into a viewport of the given size, by `preserveAspectRatio`.
-pub(super) fn fitted(node: Node<'_, '_>, from: ViewBox, [w, h]: [f64; 2]) -> Result<Affine, String> {
+pub(super) fn fitted(node: Node<'_, '_>, view_box: ViewBox, [w, h]: [f64; 2]) -> Result<Affine, String> {
     let ratio = match node.attribute("preserveAspectRatio") {
         Some(text) => {
             AspectRatio::from_str(text).map_err(|_| "Its preserveAspectRatio is faulty.".to_owned())?
         }
         None => AspectRatio::default(),
     };
-    let [sx, sy] = [w / from.w, h / from.h];
+    let [sx, sy] = [w / view_box.w, h / view_box.h];
     let [x, y] = match ratio.align {
-        Align::None => return Ok(Affine::scale(sx, sy).after(&Affine::translate(-from.x, -from.y))),
+        Align::None => return Ok(Affine::scale(sx, sy).after(&Affine::translate(-view_box.x, -view_box.y))),
         Align::XMinYMin => [0.0, 0.0],
         Align::XMidYMin => [0.5, 0.0],
         Align::XMaxYMin => [1.0, 0.0],
@@ -107,21 +108,31 @@ pub(super) fn fitted(node: Node<'_, '_>, from: ViewBox, [w, h]: [f64; 2]) -> Res
         Align::XMaxYMax => [1.0, 1.0],
     };
     let s = if ratio.slice { sx.max(sy) } else { sx.min(sy) };
-    let shift = Affine::translate(x * (w - s * from.w), y * (h - s * from.h));
-    Ok(shift.after(&Affine::scale(s, s)).after(&Affine::translate(-from.x, -from.y)))
+    let shift = Affine::translate(x * (w - s * view_box.w), y * (h - s * view_box.h));
+    Ok(shift.after(&Affine::scale(s, s)).after(&Affine::translate(-view_box.x, -view_box.y)))
 }
 
 /// The map of the root's user units to mm with y up, and the viewport of its children; `None` with a fault recorded.
-pub(super) fn page(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Option<(Affine, Viewport)> {
-    measured(root, head, out).map_err(|(text, remedy)| out.refuse(Place::line(1), text, remedy)).ok()
+pub(super) fn page(
+    root: Node<'_, '_>,
+    head: &str,
+    collector: &mut Collector<'_>,
+) -> Option<(Affine, Viewport)> {
+    measured(root, head, collector)
+        .map_err(|(text, remedy)| collector.refuse(Place::line(1), text, remedy))
+        .ok()
 }
 
 /// The map and the viewport, or the finding and its remedy.
 ///
 /// The unit of plain numbers, and of px, is that of the caller or of the program that wrote the file; with it width and height give
 /// the size of the page, and the view box is fitted into that. Without a size a unit of the view box is the unit itself.
-fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(Affine, Viewport), Finding> {
-    let from = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
+fn measured(
+    root: Node<'_, '_>,
+    head: &str,
+    collector: &mut Collector<'_>,
+) -> Result<(Affine, Viewport), Finding> {
+    let page_box = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
     let length = |name| root.attribute(name).and_then(parsed);
     let lengths = [length("width"), length("height")];
     for (name, length) in ["width", "height"].into_iter().zip(lengths) {
@@ -130,26 +141,26 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
             return Err((text, "Correct width and height.".to_owned()));
         }
     }
-    let stated = sizes(lengths, from, &millimetres);
-    let given = match out.options.unit {
+    let stated = sizes(lengths, page_box, &millimetres);
+    let unit = match collector.options.unit {
         Some(unit) => Some(unit),
-        None => unstated(Writer::of(root, head), lengths, from, stated.is_some(), out)?,
+        None => unstated(Writer::of(root, head), lengths, page_box, stated.is_some(), collector)?,
     };
-    let size = match given {
-        Some(unit) => sizes(lengths, from, &|length| by_unit(length, unit, from.is_some())),
+    let size = match unit {
+        Some(unit) => sizes(lengths, page_box, &|length| by_unit(length, unit, page_box.is_some())),
         None => stated,
     };
-    let scale = given.unwrap_or(Unit::Pixel).millimetres();
-    let (map, view) = match (from, size) {
-        (Some(from), size) => {
-            let size = size.unwrap_or([from.w * scale, from.h * scale]);
-            let fit = fitted(root, from, size).map_err(|text| (text, "Remove the attribute.".into()))?;
-            (flipped(size[1]).after(&fit), [from.w, from.h])
+    let scale = unit.unwrap_or(Unit::Pixel).millimetres();
+    let (map, view) = match (page_box, size) {
+        (Some(page_box), size) => {
+            let size = size.unwrap_or([page_box.w * scale, page_box.h * scale]);
+            let fit = fitted(root, page_box, size).map_err(|text| (text, "Remove the attribute.".into()))?;
+            (flipped(size[1]).after(&fit), [page_box.w, page_box.h])
         }
         (None, size) => {
-            if given.is_none() {
+            if unit.is_none() {
                 let text = "The file has no viewBox; its unit is 1/96 in, as SVG defines it.";
-                out.note(Weight::Information, Place::default(), text);
+                collector.note(Weight::Information, Place::default(), text);
             }
             let size = size.unwrap_or_default();
             (flipped(size[1]).after(&Affine::scale(scale, scale)), size.map(|mm| mm / scale))
@@ -163,10 +174,10 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
         );
         return Err((text, "Correct width, height and viewBox.".into()));
     }
-    if let (Some(unit), Some(stated)) = (out.options.unit, stated) {
-        note_replaced(unit, stated, (from, unit_mm, root), out);
+    if let (Some(unit), Some(stated)) = (collector.options.unit, stated) {
+        note_replaced(unit, stated, (page_box, unit_mm, root), collector);
     }
-    out.drawing.unit_mm = unit_mm;
+    collector.drawing.unit_mm = unit_mm;
     Ok((map, Viewport(view)))
 }
 
@@ -184,19 +195,19 @@ fn by_unit(length: Length, unit: Unit, has_view_box: bool) -> Option<f64> {
 fn note_replaced(
     unit: Unit,
     stated: [f64; 2],
-    (from, unit_mm, root): (Option<ViewBox>, f64, Node<'_, '_>),
-    out: &mut Collector<'_>,
+    (page_box, unit_mm, root): (Option<ViewBox>, f64, Node<'_, '_>),
+    collector: &mut Collector<'_>,
 ) {
-    let own = match from {
-        Some(from) => fitted(root, from, stated).map_or(unit_mm, |map| map.x.length()),
+    let stated_mm = match page_box {
+        Some(view_box) => fitted(root, view_box, stated).map_or(unit_mm, |map| map.x.length()),
         None => PIXEL,
     };
-    if (own / unit_mm - 1.0).abs() > 1e-6 {
+    if (stated_mm / unit_mm - 1.0).abs() > 1e-6 {
         let text = format!(
-            "The unit \"{}\" replaces that of the file: a unit of its coordinates is {unit_mm:.6} mm in place of {own:.6} mm.",
+            "The unit \"{}\" replaces that of the file: a unit of its coordinates is {unit_mm:.6} mm in place of {stated_mm:.6} mm.",
             unit.name()
         );
-        out.note(Weight::Information, Place::default(), text);
+        collector.note(Weight::Information, Place::default(), text);
     }
 }
 
@@ -235,14 +246,14 @@ impl Writer {
 fn unstated(
     writer: Writer,
     lengths: [Option<Length>; 2],
-    from: Option<ViewBox>,
+    page_box: Option<ViewBox>,
     is_stated: bool,
-    out: &mut Collector<'_>,
+    collector: &mut Collector<'_>,
 ) -> Result<Option<Unit>, Finding> {
     let in_pixels = lengths.iter().flatten().any(|length| length.unit == LengthUnit::Px);
     let sized = lengths.iter().flatten().any(|length| length.unit != LengthUnit::Percent);
     let doubt = match writer {
-        Writer::OldInkscape if in_pixels || !is_stated || from.is_none() => Some((
+        Writer::OldInkscape if in_pixels || !is_stated || page_box.is_none() => Some((
             Unit::OldPixel,
             "Inkscape before 0.92 wrote it: its unit is 1/90 in where it was not changed since.",
         )),
@@ -252,14 +263,14 @@ fn unstated(
         Writer::Unknown if !is_stated => {
             Some((Unit::Millimetre, "The drawing has no physical size: width and height have no unit."))
         }
-        Writer::Illustrator if !is_stated && from.is_none() => {
+        Writer::Illustrator if !is_stated && page_box.is_none() => {
             Some((Unit::Point, "The drawing has no physical size: width and height have no unit."))
         }
         Writer::Illustrator | Writer::Inkscape | Writer::OldInkscape | Writer::Unknown => None,
     };
     if let Some((unit, reason)) = doubt {
-        if out.options.assume {
-            out.assume(unit, reason);
+        if collector.options.assume {
+            collector.assume(unit, reason);
             return Ok(Some(unit));
         }
         let names: Vec<_> = Unit::names().collect();
@@ -284,21 +295,21 @@ fn unstated(
     };
     let lack = if sized { "The size of the file has no unit" } else { "The file has no size" };
     let text = format!("{lack}; its unit is {size} in, since {name} wrote it.");
-    out.note(Weight::Information, Place::default(), text);
+    collector.note(Weight::Information, Place::default(), text);
     Ok(Some(unit))
 }
 
 /// Width and height in mm by the `unit` of each, if at least one has one; the missing one follows from the view box.
 fn sizes(
     lengths: [Option<Length>; 2],
-    from: Option<ViewBox>,
+    page_box: Option<ViewBox>,
     unit: &dyn Fn(Length) -> Option<f64>,
 ) -> Option<[f64; 2]> {
     let [w, h] = lengths.map(|length| length.and_then(unit).filter(|mm| *mm > 0.0));
-    match (w, h, from) {
+    match (w, h, page_box) {
         (Some(w), Some(h), _) => Some([w, h]),
-        (Some(w), None, Some(from)) => Some([w, w * from.h / from.w]),
-        (None, Some(h), Some(from)) => Some([h * from.w / from.h, h]),
+        (Some(w), None, Some(page_box)) => Some([w, w * page_box.h / page_box.w]),
+        (None, Some(h), Some(page_box)) => Some([h * page_box.w / page_box.h, h]),
         (Some(mm), None, None) | (None, Some(mm), None) => Some([mm, mm]),
         (None, None, _) => None,
     }

@@ -43,14 +43,18 @@ pub(super) struct Walk<'s, 'a, 'd, 'c, 'o> {
 }
 
 impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
-    pub(super) fn new(document: &'a Document<'d>, source: &'s Source, out: &'c mut Collector<'o>) -> Self {
+    pub(super) fn new(
+        document: &'a Document<'d>,
+        source: &'s Source,
+        collector: &'c mut Collector<'o>,
+    ) -> Self {
         let mut ids = BTreeMap::new();
         for node in document.root().descendants() {
             if let Some(id) = node.attribute("id") {
                 let _ = ids.entry(id).or_insert(node);
             }
         }
-        Self { root: document.root_element(), source, ids, out }
+        Self { root: document.root_element(), source, ids, out: collector }
     }
 
     /// Reads all elements; `map` leads from the root's user units to mm.
@@ -104,21 +108,21 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
-        let from = self.out.drawing.elements.len();
+        let first = self.out.drawing.elements.len();
         self.unclipped(node, context)?;
-        self.clipped(node, context, from);
+        self.clipped(node, context, first);
         Ok(())
     }
 
-    /// Notes a clip that hides a part of an element, whose figures are those from number `from` on.
-    fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, from: usize) {
+    /// Notes a clip that hides a part of an element, whose figures are those from number `first` on.
+    fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, first: usize) {
         let cascade = self.cascade(node);
         let Some(value) = cascade.applied("clip-path") else { return };
         let find = |id: &str| self.ids.get(id).copied();
-        let own = transform::of(node, &cascade, context.viewport).ok();
-        let map = own.map(|own| context.map.after(&own));
+        let own_map = transform::of(node, &cascade, context.viewport).ok();
+        let map = own_map.map(|own_map| context.map.after(&own_map));
         let clip = map.and_then(|map| clip::of(node, value, (&map, context.viewport), find));
-        if !clip.is_some_and(|clip| clip.holds(self.out.seen_elements(from))) {
+        if !clip.is_some_and(|clip| clip.holds(self.out.seen_elements(first))) {
             let text = clip::unapplied("clip-path", &shortened(value));
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
@@ -164,9 +168,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                 let mut place = self.place(node, context);
                 let number = |name| node.attribute(name).and_then(|value| value.trim().parse::<f64>().ok());
                 if let (Some(x), Some(y)) = (number("x"), number("y"))
-                    && let Some(own) = self.transform(node, context)
+                    && let Some(own_map) = self.transform(node, context)
                 {
-                    place.at = Some(context.map.after(&own).point(Point::new(x, y)))
+                    place.at = Some(context.map.after(&own_map).point(Point::new(x, y)))
                         .filter(|at| (at.x + at.y).is_finite());
                 }
                 if tag == "text" {
@@ -202,8 +206,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         };
         match read() {
             Ok((map, viewport)) => {
-                let Some(own) = self.transform(node, context) else { return Ok(()) };
-                let map = context.map.after(&own).after(&map);
+                let Some(own_map) = self.transform(node, context) else { return Ok(()) };
+                let map = context.map.after(&own_map).after(&map);
                 self.group(node, Context { map, viewport, ..context.clone() }, false)
             }
             Err(text) => {
@@ -219,11 +223,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             node.attributes().find(|attribute| attribute.name() == "href").map_or("", |a| a.value().trim());
         let place = self.place(node, context);
         let Some(target) = href.strip_prefix('#').and_then(|id| self.ids.get(id).copied()) else {
-            let found = shortened(href);
+            let target = shortened(href);
             let text = if href.starts_with('#') || href.is_empty() {
-                format!("It refers to \"{found}\", which is not in the file.")
+                format!("It refers to \"{target}\", which is not in the file.")
             } else {
-                format!("It refers to another file (\"{found}\"), which is not read.")
+                format!("It refers to another file (\"{target}\"), which is not read.")
             };
             self.out.note(Weight::Lost, place, text);
             return Ok(());
@@ -255,17 +259,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     fn shape(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
         let Some(inner) = self.entered(node, context.clone()) else { return Ok(()) };
         let mut place = self.place(node, context);
-        let mut own: Vec<&str> = names(node).collect();
-        own.reverse(); // the id comes before the label
+        let mut own_names: Vec<&str> = names(node).collect();
+        own_names.reverse(); // the id comes before the label
         let colour = inner.style.layer();
-        let around = context.names.iter().rev().copied();
+        let outer_names = context.names.iter().rev().copied();
         let mut layers: Vec<String> = Vec::new();
-        let number = own.len() + usize::from(colour.is_some());
-        for (at, name) in own.into_iter().chain(colour.as_deref()).chain(around).enumerate() {
+        let number = own_names.len() + usize::from(colour.is_some());
+        for (depth, name) in own_names.into_iter().chain(colour.as_deref()).chain(outer_names).enumerate() {
             if !layers.iter().any(|known| known == name) {
                 layers.push(name.to_owned());
             }
-            if at + 1 == number {
+            if depth + 1 == number {
                 place.own_names = layers.len();
             }
         }
@@ -292,14 +296,14 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             self.out.text(names + id.len())?;
             let element = if i == 0 { id.clone() } else { format!("{id}#{}", i + 1) };
             let place = Place { element: Some(element), ..place.clone() };
-            let whole = path_data::full_turn(chain);
-            if whole.is_some() {
+            let full_turn = path_data::full_turn(chain);
+            if full_turn.is_some() {
                 let text = "Its two half arcs have rounded ends; they are read as one full turn.";
                 self.out.note(Weight::Information, place.clone(), text);
             }
-            let from = self.out.drawing.elements.len();
-            self.out.chain(place.clone(), &inner.map, whole.as_ref().unwrap_or(chain))?;
-            if is_unseen && self.out.drawing.elements.len() > from {
+            let first = self.out.drawing.elements.len();
+            self.out.chain(place.clone(), &inner.map, full_turn.as_ref().unwrap_or(chain))?;
+            if is_unseen && self.out.drawing.elements.len() > first {
                 self.out.mark_unseen(place);
             }
         }
@@ -368,7 +372,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     /// Id, layers and line of an element.
     fn place(&self, node: Node<'a, 'd>, context: &Context<'a>) -> Place {
         let line = self.source.line(node);
-        let own = match node.attribute("id").filter(|id| !id.is_empty()) {
+        let own_id = match node.attribute("id").filter(|id| !id.is_empty()) {
             Some(id) => id.to_owned(),
             None => format!("{} at {}", node.tag_name().name(), self.source.place_in_words(node)),
         };
@@ -377,7 +381,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let own_names = layers.len();
         layers.extend(context.names.iter().rev());
         Place {
-            element: Some(format!("{}{own}", context.path)),
+            element: Some(format!("{}{own_id}", context.path)),
             layers: layers.into_iter().map(str::to_owned).collect(),
             own_names,
             line: Some(line),

@@ -37,14 +37,14 @@ impl DrawnCut {
     /// The cut along the outline of `shape`, and of `holes` inside it.
     pub(super) fn new(shape: &SealedShape, holes: &[Path]) -> Result<Self, Refusal> {
         let Some(outside) = &shape.cut else {
-            let found = "the drawn shape has no outline";
+            let problem = "the drawn shape has no outline";
             let remedy = "draw a closed curve on a layer of `cut`";
-            return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, found, remedy));
+            return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, problem, remedy));
         };
-        let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
-        let inside = holes.iter().map(around).collect();
+        let counterclockwise = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
+        let inside = holes.iter().map(counterclockwise).collect();
         let valves = shape.valves.iter().map(|valve| valve.hole.clone()).collect();
-        Ok(Self { outside: around(outside), inside, valves, kerf: 0.0 })
+        Ok(Self { outside: counterclockwise(outside), inside, valves, kerf: 0.0 })
     }
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
@@ -68,8 +68,9 @@ impl DrawnSeparator {
     /// The separator of `shape`, whose seams enclose `air`, with the creep and kerf of `spec`.
     pub(super) fn new(spec: &Spec, shape: &SealedShape, air: &AirSide) -> Result<Self, Refusal> {
         let (creep, kerf) = (spec.mask.creep.0, spec.cut.kerf.0);
-        let made = |creep: f64| air.separator(shape, creep);
-        let part = made(creep).ok_or_else(|| no_separator(creep, |creep| made(creep).is_some()))?;
+        let separator_with = |creep: f64| air.separator(shape, creep);
+        let part = separator_with(creep)
+            .ok_or_else(|| no_separator(creep, |creep| separator_with(creep).is_some()))?;
         let lines = |paths: &[Path], line: fn(&Path, f64, &str) -> Result<Path, Refusal>, what: &str| {
             paths.iter().map(|path| line(path, kerf, what)).collect::<Result<Vec<_>, _>>()
         };
@@ -85,15 +86,20 @@ impl DrawnSeparator {
 fn no_separator(creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
     let (key, code) = (key::mask::CREEP, RefusalCode::NoWindow);
     if !is_made(0.0) {
-        let found = "the seams leave no paper in one piece for each chamber";
+        let problem = "the seams leave no paper in one piece for each chamber";
         let remedy =
             "draw seams in the air farther from each other, or without sharp bends; or delete [mask]";
-        return Refusal::new(key, code, found, remedy);
+        return Refusal::new(key, code, problem, remedy);
     }
     let fits = largest(creep, &is_made);
     // What is printed is itself tried: rounded down, a creep may be another that fails.
     let hundredths = successors(Some((fits * 100.0).floor()), |last| Some(last - 1.0));
-    let most = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
-    let found = format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep));
-    Refusal::new(key, code, found, format!("creep must be at most {} mm", Most(most.unwrap_or(0.0))))
+    let largest_creep = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
+    let problem = format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep));
+    Refusal::new(
+        key,
+        code,
+        problem,
+        format!("creep must be at most {} mm", Most(largest_creep.unwrap_or(0.0))),
+    )
 }

@@ -30,21 +30,21 @@ pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str
         if let Some(name) = colour.filter(|_| by_colour).or(telling) {
             return place(name);
         }
-        let around = || shared.around(groups(element));
-        let own = || element.layers[..element.own_names].iter().map(String::as_str);
-        let (own_word, around_word) = (own().find(is_role), around().find(is_role));
+        let outer_names = || shared.around(groups(element));
+        let own_names = || element.layers[..element.own_names].iter().map(String::as_str);
+        let (own_word, around_word) = (own_names().find(is_role), outer_names().find(is_role));
         let best = if is_grouped {
             // Names of inner levels come first, so the colour must not be one that grouped elements have.
             let free = colour.filter(|colour| !of_groups.contains(colour));
-            around_word.or(free).or(around().last()).or(own_word)
+            around_word.or(free).or(outer_names().last()).or(own_word)
         } else {
-            own_word.or(around_word).or(around().next()).or(colour)
+            own_word.or(around_word).or(outer_names().next()).or(colour)
         };
         best.and_then(place)
     };
     let layer = |(element, telling): (&'a Element, Option<&str>)| {
-        let at = name(element, telling).unwrap_or(0);
-        element.layers.get(at).map_or(element.id.as_str(), String::as_str)
+        let index = name(element, telling).unwrap_or(0);
+        element.layers.get(index).map_or(element.id.as_str(), String::as_str)
     };
     elements().zip(telling).map(layer).collect()
 }
@@ -73,8 +73,9 @@ impl<'a> Shared<'a> {
             *counts.entry(name).or_default() += 1;
         }
         let number = drawing.elements.len();
-        let all = counts.into_iter().filter(|(_, count)| *count == number).map(|(name, _)| name).collect();
-        Self { root: &drawing.root, all }
+        let shared_names =
+            counts.into_iter().filter(|(_, count)| *count == number).map(|(name, _)| name).collect();
+        Self { root: &drawing.root, all: shared_names }
     }
 
     /// The outermost name that tells elements apart: one with the word of a role, else any.

@@ -35,10 +35,12 @@ impl DrawnPieces {
         drawing: &DrawingSpec,
         machine: &Machine,
     ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
-        let (sketch, measures, mut notes) = sketch(spec, drawing)?;
+        let (whole_sketch, measures, mut notes) = sketch(spec, drawing)?;
         let (mut pieces, mut warnings, mut refusals) = (Vec::new(), Vec::new(), Refusals::new());
-        for sketch in separate(&sketch, &rules(spec, drawing)) {
-            if let Some((piece, warned, repairs)) = refusals.keep(DrawnPiece::new(spec, drawing, &sketch)) {
+        for whole_sketch in separate(&whole_sketch, &rules(spec, drawing)) {
+            if let Some((piece, warned, repairs)) =
+                refusals.keep(DrawnPiece::new(spec, drawing, &whole_sketch))
+            {
                 pieces.push(piece);
                 warnings.extend(warned);
                 notes.extend(repairs);
@@ -53,7 +55,7 @@ impl DrawnPieces {
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::place_all(Self::KIND, &distinct, places);
-        Ok((Self { pieces, notes, ports: sketch.ports, measures, copies }, sheets, warnings))
+        Ok((Self { pieces, notes, ports: whole_sketch.ports, measures, copies }, sheets, warnings))
     }
 
     /// The closed boundaries of the air of all pieces.

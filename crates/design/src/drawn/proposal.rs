@@ -43,19 +43,19 @@ struct DrawnLayer<'d> {
 /// of air or seams, those of cuts do: nothing could be sealed otherwise.
 pub(super) fn proposed(drawing: &Artwork, is_dxf: bool) -> Vec<RoleRow> {
     let edges = EdgePaths::of(drawing);
-    let layers = layers(drawing, is_dxf, &edges);
-    let mut rows: Vec<RoleRow> = layers
+    let drawn_layers = layers(drawing, is_dxf, &edges);
+    let mut rows: Vec<RoleRow> = drawn_layers
         .iter()
         .map(|layer| {
-            let (role, reason) = suited(layer, layers.len() == 1, drawing, &edges);
+            let (role, reason) = suited(layer, drawn_layers.len() == 1, drawing, &edges);
             (layer.name.to_owned(), role, reason)
         })
         .collect();
     if rows.iter().all(|row| !matches!(row.1, LayerRole::Air | LayerRole::Seam)) {
-        promote(&layers, &mut rows, drawing, &edges);
+        promote(&drawn_layers, &mut rows, drawing, &edges);
     }
     if rows.iter().all(|row| row.1 != LayerRole::Port) {
-        let marks = single_marks(&layers, &rows, drawing, &edges);
+        let marks = single_marks(&drawn_layers, &rows, drawing, &edges);
         rows.extend(marks);
     }
     rows.extend(LeftOut::unread(drawing, is_dxf).into_iter().map(|left_out| {
@@ -81,8 +81,8 @@ pub(super) fn size(drawing: &Artwork, rows: &[RoleRow]) -> [f64; 2] {
         paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union)
     };
     let with_role = bounds(&|role| role != Some(&LayerRole::Ignore));
-    let all = if with_role.width() < 0.0 { bounds(&|_| true) } else { with_role };
-    [all.width(), all.height()].map(|length| length.max(0.0))
+    let area = if with_role.width() < 0.0 { bounds(&|_| true) } else { with_role };
+    [area.width(), area.height()].map(|length| length.max(0.0))
 }
 
 /// The layers in the order of the file.
@@ -143,8 +143,9 @@ fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, e
     let is_closed = |place: usize, role: LayerRole, rows: &[RoleRow]| {
         rows[place].1 == role && layers[place].closed > 0 && layers[place].name != "fill #ffffff"
     };
-    let chosen = order.into_iter().find(|role| (0..layers.len()).any(|place| is_closed(place, *role, rows)));
-    let Some(chosen) = chosen else { return };
+    let best_role =
+        order.into_iter().find(|role| (0..layers.len()).any(|place| is_closed(place, *role, rows)));
+    let Some(best_role) = best_role else { return };
     for place in 0..layers.len() {
         let is_inside = |number: &usize| {
             let start = match &drawing.elements[*number].figure {
@@ -153,10 +154,10 @@ fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, e
             };
             start.is_some_and(|start| !edges.enclosures.around(start).is_empty())
         };
-        let is_hole_in_air = chosen == LayerRole::Cut
+        let is_hole_in_air = best_role == LayerRole::Cut
             && is_closed(place, LayerRole::Hole, rows)
             && layers[place].elements.iter().any(is_inside);
-        if is_closed(place, chosen, rows) || is_hole_in_air {
+        if is_closed(place, best_role, rows) || is_hole_in_air {
             rows[place].1 = LayerRole::Air;
             rows[place].2 = format!("closed curves, and no other layer has edges of air; {}", rows[place].2);
         }
@@ -201,9 +202,9 @@ struct EdgePaths {
 impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
     fn of(drawing: &Artwork) -> Self {
-        let rings = rings(drawing);
+        let closed_rings = rings(drawing);
         let (paths, elements_of_paths): (Vec<Path>, Vec<Vec<usize>>) =
-            rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
+            closed_rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
         let elements = elements_of_paths.iter().flatten().copied().collect();
         let bounds = paths.iter().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
         let enclosures = Enclosures::new(&paths);
@@ -341,14 +342,14 @@ impl LeftOut {
         let shared = Shared::new(drawing);
         let layers = drawing.elements.iter().flat_map(|element| &element.layers);
         let read: BTreeSet<&str> = layers.map(String::as_str).collect();
-        let mut out: Vec<Self> = Vec::new();
+        let mut layers: Vec<Self> = Vec::new();
         for (place, text) in places {
             let Some(layer) = layer_of(place, is_dxf, &shared) else { continue };
-            if !read.contains(layer) && !out.iter().any(|known| known.layer == layer) {
-                out.push(Self { layer: layer.to_owned(), text: text.to_owned(), is_faulty: false });
+            if !read.contains(layer) && !layers.iter().any(|known| known.layer == layer) {
+                layers.push(Self { layer: layer.to_owned(), text: text.to_owned(), is_faulty: false });
             }
         }
-        out
+        layers
     }
 }
 
