@@ -134,6 +134,8 @@ fn closure(
 
 /// Least distance between the bands of two pieces on one sheet; `None` if no sheet has two.
 pub(super) fn between_pieces(design: &Design) -> Option<f64> {
+    // The boxes of pieces and of segments leave out what lies farther away than the least distance so far. Distances
+    // are those of centre lines, less a band.
     let lines = |index: usize| {
         let placed = &design.placed()[index];
         let shape = design.part(placed).shape();
@@ -168,6 +170,8 @@ pub(super) fn between_pieces(design: &Design) -> Option<f64> {
 
 impl fmt::Display for Passage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // One line for each loop with the way it closes, then the narrowest passages. Drawings have no channel between
+        // two loops: they state the narrowest passage. The hinges follow that the band makes rounder than drawn.
         for Loop { name, role, closed, overlap, to_hinge, between_passes } in &self.loops {
             if *closed {
                 let closing_place = match self.eaten {

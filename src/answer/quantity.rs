@@ -130,6 +130,8 @@ mod tests {
 
     #[test]
     fn quantities_are_in_their_range_whatever_their_unit() {
+        // Values in and out of range are read in several units. Then come the ways to write commas: each refusal
+        // suggests what was meant, if it can be told.
         let length = quantity::<Length>(EXTRA);
         assert_eq!((length("5 cm"), length("0 mm")), (Ok(Length(50.0)), Ok(Length(0.0))));
         let range_of = "the length must be at least 0 mm and at most 100000 mm";

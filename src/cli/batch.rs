@@ -13,6 +13,9 @@ pub(super) fn run(
     verbosity: Verbosity,
     mut answer_one: impl FnMut(&Path) -> Result<Option<Value>, Failure>,
 ) -> Result<(), Failure> {
+    // A single spec keeps the answer and the exit code of its own. Of several specs every one is answered, and a
+    // failure does not stop the others. In JSON all answers and refusals form one object, so that a program reads it
+    // whole.
     if let [spec] = specs {
         let answer = answer_one(spec)?;
         return answer.map_or(Ok(()), |answer| say(&pretty(&answer)));

@@ -127,6 +127,9 @@ impl BenchArgs {
 
     /// The stiffnesses of the spec's fabric that follow from the bench tests.
     pub(super) fn stiffnesses(&self, loaded: &Loaded) -> Result<Stiffnesses, Failure> {
+        // The disc gives the stretching stiffness, which the V-actuator and the bias strip then need. Each measurement
+        // is inverted by the model. It is inverted again with the instrument's error on both sides, which gives the
+        // range that is printed.
         let mut stiffnesses = Stiffnesses::default();
         if self.angle_pressure.is_none() && self.disc_width.is_none() && self.bias_strip.is_none() {
             return Ok(stiffnesses);

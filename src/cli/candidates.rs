@@ -70,6 +70,7 @@ pub(super) fn json(search: &SearchResult, constraints: &Constraints, spec: Optio
 
 /// A candidate as JSON; null where a value is unknown.
 fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
+    // Keys and units are those of `predict --json`. A value that the model does not cover is null.
     let Evaluation { point, answer, .. } = candidate;
     let (star, outcome) = (&point.star, answer.outcome.as_ref());
     let outcome_in_range = outcome.filter(|outcome| outcome.known);

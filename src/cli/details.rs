@@ -24,6 +24,8 @@ const MOST_NOTES: usize = 100;
 
 /// The design: geometry, seams, fabric, and the realised radii of tips and corners. Of equal stars only the first is listed.
 fn design(forecast: &Forecast) -> String {
+    // Each distinct piece is listed with its seams, then the sheets, and the materials of a gripper or the paper of a
+    // drawing. Totals come last.
     let Forecast { spec, design, programs, .. } = forecast;
     let mut text = design.drawn().map_or_else(String::new, notes);
     for placed in design.firsts() {

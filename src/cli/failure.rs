@@ -95,6 +95,8 @@ impl Failure {
 
     /// Prints the failure to standard error, and returns the exit code.
     pub(super) fn report(self) -> u8 {
+        // The exit codes are those of docs/terminal.md: 1 for a refusal, 2 for a wrong command line, 3 for nothing
+        // compared, and the shell's own codes for signals. A closed pipe is no failure.
         let text = match self {
             Self::Faults(faults) => {
                 warn(&faults);

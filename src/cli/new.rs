@@ -163,6 +163,8 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
 
 /// The layers of a drawing with their roles, and what a user should look at.
 fn in_words(proposal: &LayerProposal) -> String {
+    // The proposed roles come first, then what was not read and why. Questions about port, size and unit come last,
+    // because only the user can answer them.
     let LayerProposal { layers, size, unit, no_unit, hidden, faults } = proposal;
     let (number, noun) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
     let mut lines = format!("{number} {noun} with a proposed role:\n");

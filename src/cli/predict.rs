@@ -262,6 +262,8 @@ fn without_making(spec: &Spec) -> Spec {
 
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    // The inputs of a shell are its cache key: the spec and all that else changes the answer. The other models answer
+    // at once and are not kept.
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let question = args.question();
     let (spec, design, unmade) = question.designed(&loaded).map_err(|refusals| loaded.refused(refusals))?;

@@ -37,6 +37,8 @@ pub(super) struct Args {
 
 /// Measures the models but shells on this machine, and prints the tables.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    // Files that are not this command's own are refused before anything is measured. All models but shells are
+    // measured here; the rows of shells are stored with their program.
     let loaded = args.spec.as_ref().map(|path| Loaded::spoken(path, args.verbosity)?.with_stars("trade"));
     let star = loaded.transpose()?.and_then(|loaded| loaded.reading.spec.stars.first().cloned());
     let base = star.unwrap_or_else(|| StarSpec::paper(5));

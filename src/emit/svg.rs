@@ -21,6 +21,8 @@ const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 /// The drawing as an SVG document.
 pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> String {
+    // A drawing with its origin in a corner has its y axis turned over. One around an axis keeps the axis at 0, 0 by
+    // its view box. Layers are Inkscape's layers with one colour each.
     let decimals = Decimals::for_tolerance(path);
     let (page, mut document) = match drawing.origin {
         Origin::LowerLeft => {

@@ -62,6 +62,8 @@ pub fn feed_check(
 
 /// Proves the feed check `bytes` in the file `name` from its manifest.
 pub fn prove_feed_check(name: &str, bytes: &[u8], manifest: &FeedCheckManifest) -> Proof {
+    // The manifest holds spec and profile, from which the program is written again. The published one is read and
+    // judged on its own. Bytes are compared only if this version wrote it.
     let mut findings = Findings::default();
     let sources = spec::read(&Source::new("spec", manifest.spec.as_str())).and_then(|reading| {
         Ok((reading.spec, spec::read_machine(&Source::new("machine", manifest.machine.as_str()))?))

@@ -194,6 +194,8 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
 
 /// Whether the machine can move as slowly as the program requires, and whether a fast seal is tested.
 fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
+    // A chopped seal rests on the controller's acceleration, and a slow one on its lowest feed. Neither can be known
+    // from here, so the precaution names the program that measures it.
     let Forecast { spec, machine, .. } = forecast;
     let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {path}`"));
     let slow = match pace(forecast) {

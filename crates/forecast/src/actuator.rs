@@ -130,6 +130,8 @@ impl ActuatorPrediction {
 
     /// The answer as a text for people.
     pub fn to_text(&self) -> String {
+        // One line a quantity, with its range where the model states one, else with its mesh error, else with the word
+        // that the range is unknown.
         let mut lines = vec![
             format!("model                 {}", self.model),
             format!("bendability           {:.0}", self.bendability),

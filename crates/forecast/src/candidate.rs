@@ -304,6 +304,8 @@ mod tests {
 
     #[test]
     fn a_candidate_says_what_the_prediction_says() {
+        // The search computes with candidates, and people read predictions. Both are made from equal specs with sharp
+        // and round hinges, by two models, and their numbers compared to rounding.
         let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
         let machine = spec::read_machine(&profile).expect("valid");
         let table = RingTable::new().expect("solved");
@@ -342,6 +344,8 @@ mod tests {
     /// A ball that the lowest star would not let in enters from above, past two wider ones.
     #[test]
     fn unequal_stars_are_counted_one_by_one() {
+        // Stacks of three unequal stars hold balls and a cylinder at different heights. Force, payload and range are
+        // those of the whole prediction.
         let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
         let machine = spec::read_machine(&profile).expect("valid");
         let table = RingTable::new().expect("solved");

@@ -120,6 +120,9 @@ pub fn of_spec(choice: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dy
 
 /// The limits of validity of `model` that `case` exceeds, one sentence each.
 pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
+    // The section knows pressure and stretch, so it has one limit: hinges that its table knows without arms only. The
+    // other models are limits of high pressure, which each warns of. The fit also warns of the radii for which no
+    // constants were published.
     let (star, level) = (&case.mechanism, model.level());
     let r_stars = [star.tip().r_star, star.corner().r_star];
     if level == Level::Section {

@@ -244,6 +244,8 @@ impl Outcome {
     }
 
     fn at(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
+        // The object decides between holding and four ways not to. Force and payload follow only where it is held.
+        // Without a pressure all that depends on one stays unknown.
         let rho_0 = case.inner_radius;
         let hold = case.pressure.and(case.object).map(|rho| match rho {
             _ if rho <= 0.0 => Grip::Beside,

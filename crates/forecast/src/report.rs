@@ -26,6 +26,8 @@ fn isotropic(stars: &[StarPrediction]) -> String {
 
 /// A page about `prediction`; with the values of its model, such as coiling and stiffness of hinges, only if it `is_full`.
 pub fn text(spec: &Spec, prediction: &Prediction, is_full: bool) -> String {
+    // Equal stars are printed once, with their numbers above. Lines about the whole stack follow, then the verdict
+    // with its reasons.
     let mut page = format!("{}\n", spec.name);
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
     let distinct_stars = distinct(&prediction.stars);

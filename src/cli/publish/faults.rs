@@ -72,6 +72,8 @@ thread_local! {
 
 /// Before an operation on `path`.
 pub(super) fn step(step: DiskStep, path: &Path) -> io::Result<()> {
+    // Counts the operations of one publishing. At the chosen one it fails, ends the process, or lets another process
+    // write into the target. The kind of file system decides which operations are refused at all.
     FATE.with_borrow_mut(|fate| {
         let Some(fate) = fate else { return Ok(()) };
         fate.steps += 1;
@@ -196,6 +198,8 @@ fn rounds() -> usize {
 
 #[test]
 fn one_fault_leaves_the_old_build_or_the_new_one() {
+    // Publishing is tried with one event at its first operation, then at its second, until it ends before the event.
+    // After each, one whole version stands there, no foreign text is lost, and publishing works again.
     let mut rounds = 0;
     for system in SYSTEMS {
         for event in EVENTS {

@@ -20,6 +20,8 @@ pub struct GridCell {
 
 /// All cells on one page at 1:1, as an SVG; `band` is the width of the seams, mm.
 pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
+    // One size of letters fits the smallest cell. Fabric, seams and words are groups of their own, drawn in this
+    // order.
     let areas = cells.iter().map(|cell| cell.specimen.union(cell.seam.bounds()));
     let bounds = areas.fold(Bounds::EMPTY, Bounds::union);
     let style = Style::new(bounds.width().max(bounds.height()));

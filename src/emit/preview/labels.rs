@@ -24,6 +24,8 @@ const MANY: usize = 200_000;
 
 /// Name, tips, corners and inlet of one star.
 pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Places) -> Group {
+    // The name takes the largest size that fits the hole. Hinges and inlet are named beside themselves, where a place
+    // is free.
     let mut group = Group::new(format!("labels-{}", star.index));
     let geometry = &part.star;
     let middle = star.placement.point(Point::ORIGIN);
@@ -156,6 +158,9 @@ struct Callout<'a> {
 }
 
 fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
+    // Sizes from large to small, reaches from near to far, and directions from straight ahead to behind are tried
+    // until a place is free. Where many places were tried already, only the likely ones are, because a crowded sheet
+    // would take seconds. Without a free place the callout is left out.
     let Callout { at, along, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     // Straight ahead first, then ever farther to both sides.

@@ -71,6 +71,8 @@ impl<'a> StackView<'a> {
     }
 
     fn seen_from_above(&self, group: &mut Group, axis: Point, style: Style) {
+        // Object, plates and posts are drawn first, then the edges of every distinct star, flat and closed. Lines keep
+        // the names off themselves, which are placed last.
         let (design, shut) = (self.assembly, self.preview.shut);
         let frame = &design.frame;
         let half = self.reach + 9.5 * style.unit;
@@ -173,6 +175,8 @@ impl<'a> StackView<'a> {
     }
 
     fn seen_from_the_side(&self, group: &mut Group, foot: Point, style: Style) {
+        // All heights count from the foot of the stack. The object and its table come first, then posts, plates and
+        // stars. Labels of stars stand at the left and those of plates at the right, spaced where they would overlap.
         let (design, frame) = (self.assembly, &self.assembly.frame);
         let point_at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let block = |half: f64, from: f64, to: f64| {

@@ -79,6 +79,8 @@ impl Glb {
         groups: &[(&str, Vec<Node>)],
         surface_count: usize,
     ) -> Vec<u8> {
+        // glTF refers to everything by index, so the nodes of all groups get their numbers before the groups that hold
+        // them. Nodes whose mesh has a closed shape are animated together.
         let nodes: Vec<&Node> = groups.iter().flat_map(|(_, nodes)| nodes).collect();
         let moves = |node: &Node| self.meshes[node.mesh].get("weights").is_some();
         let moving: Vec<usize> = (0..nodes.len()).filter(|i| moves(nodes[*i])).collect();

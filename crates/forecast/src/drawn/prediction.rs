@@ -311,6 +311,8 @@ impl DrawnPrediction {
     }
 
     fn warnings(&self) -> Vec<PredictionWarning> {
+        // What makes an answer doubtful, the gravest first: a shape that leaves its plane, averaged wrinkles, coarse
+        // meshes, a seal that may burst.
         let count = self.chambers.len();
         let leaving = self.leaving().map(|text| PredictionWarning::new(WarningCode::LeavesPlane, text));
         let mut list: Vec<PredictionWarning> = leaving.into_iter().collect();

@@ -67,6 +67,8 @@ fn of_measure(page: &mut String, measure: &MeasurePrediction) {
 }
 
 fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
+    // Lines without a value are left out, as of a chamber that was not inflated. With `is_full` the numbers of the
+    // model follow.
     let [x, y] = chamber.flat_extents_mm.map(Readable);
     line(page, "flat", format!("{x} x {y} mm, {} mm^2", Readable(chamber.flat_area_mm2)));
     line(page, "largest circle in it", format!("{} mm across", shown::rounded(chamber.width_mm)));

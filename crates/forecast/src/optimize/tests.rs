@@ -62,6 +62,8 @@ fn the_optimum_is_the_best_of_a_dense_grid() {
 /// At its pressure, with constraints at the bad end of the ranges, and the number of stars chosen.
 #[test]
 fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
+    // A grid over angle and width is searched for each number of stars. No feasible point of it takes clearly less
+    // fabric than the search's winner with as many points.
     let mut base = Candidate { model: ModelChoice::Auto, ..base() };
     (base.star.tip_radius, base.star.corner_radius) = (Length(2.0), Length(2.0));
     let bounds = SearchBounds {

@@ -97,6 +97,9 @@ impl ShellRun {
         (meeting, opening): (Option<Meeting>, Option<f64>),
         radii: &[f64],
     ) -> StarPrediction {
+        // The shell computed one star in the middle of its object. Here the case of its place in the stack is read
+        // off: the radius that it meets and the plate below it. What only the geometry gives comes from the bare
+        // prediction.
         let case = self.case.meeting(meeting).above_plate(opening);
         let measured = Measurements { object: entered(&case), ..self.measured.clone() };
         let on_object = measured.object_force();
@@ -196,6 +199,8 @@ impl ShellRun {
 }
 
 fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String> {
+    // Each possible warning with its condition, in the order in which they are printed. Those whose condition holds
+    // are kept.
     let (radius, object) = (measured.radius, measured.object);
     let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
     let pull = measured.extremes.seal_pull.value;

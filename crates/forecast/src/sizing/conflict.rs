@@ -104,6 +104,9 @@ impl Finder<'_> {
 
     /// The conflicts of `required`; none if the object's size or the fabric is the reason.
     fn conflicts(&self, required: &Requirements) -> Vec<Conflict> {
+        // A requirement belongs to a conflict if giving it up alone makes a gripper possible, while those that do not
+        // matter are given up first. The requirements of a conflict are then given up together, and the rest is
+        // searched for the next one. At the end each conflict gets the context in which all others are given up.
         let mut conflicts: Vec<Conflict> = Vec::new();
         let mut rest = *required;
         loop {
@@ -265,6 +268,8 @@ impl Easing {
 
     /// By how much `required` misses this requirement, which `eased` has as near to it as can be met.
     fn shortfall(self, required: &Requirements, eased: Option<&Requirements>) -> String {
+        // Each requirement says its own value beside the nearest one that can be met. Where none was reached, it says
+        // in which direction to look.
         match self {
             Self::Mass => {
                 let mass = required.mass_in_words();

@@ -33,6 +33,9 @@ impl Banded {
 
     /// Factors in place; `None` if the matrix is singular or not finite.
     pub fn factor(mut self) -> Option<Factors> {
+        // Gaussian elimination with partial pivoting. A row below the pivot reaches at most `below` rows down, and an
+        // exchange widens a row by as many entries: so the band has room for both. The factors take the place of the
+        // entries that they eliminate.
         self.pivots = Vec::with_capacity(self.size);
         for column in 0..self.size {
             let last = (column + self.below).min(self.size - 1);

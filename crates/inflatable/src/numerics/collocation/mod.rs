@@ -255,6 +255,9 @@ fn defects<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> O
 
 /// Newton's matrix, the derivative of [`defects`].
 fn matrix<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Banded {
+    // The boundary conditions of the left end come first, those of the right end last. Between them stands a block of
+    // N rows for each interval, with its derivatives by the values at both of its ends. The value in the interval's
+    // middle depends on both ends, which the chain rule accounts for.
     let Profile { mesh, values } = profile;
     let first = problem.left().len();
     let mut matrix = Banded::zero(N * mesh.len(), first + N - 1, 2 * N - 1 - first);

@@ -113,6 +113,9 @@ pub(crate) fn fill(
     loads: Loads,
     local: &mut Local,
 ) {
+    // The first nine unknowns are the triangle's own corners, the next nine the corners beyond its sides, and the last
+    // three the leans of its sides. A fold couples all of them through the bending stiffness k, so each block is a
+    // product of slopes with k. Where two sides share the corner beyond, its pair is counted for both orders.
     let mut corners = own(sheet, piece, piece.corners.map(|corner| points[corner]), facet, loads);
     let mut slopes = Slopes::new(piece, facet, facets);
     if loads.turned {

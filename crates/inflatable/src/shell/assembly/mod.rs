@@ -153,6 +153,9 @@ impl Assembly {
 
     /// The energy of `state` under `pressure`, and its gradient, which [`Assembly::gradient`] then gives.
     pub fn differentiate(&mut self, state: &State, pressure: f64) -> Energy {
+        // First the moments of all pieces are summed by edges, because a fold turns both of its triangles. Then each
+        // triangle adds its membrane, its pressure and its folds to the forces on its corners. The forces are gathered
+        // into unknowns at the end.
         let energy = self.energy(state);
         self.turning.fill(0.0);
         self.leaning.fill(0.0);

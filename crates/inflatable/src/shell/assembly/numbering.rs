@@ -101,6 +101,9 @@ pub(crate) struct Pattern {
 
 impl Pattern {
     pub(crate) fn new(sheet: &Sheet, numbering: &Numbering) -> Self {
+        // The unknowns of each piece and kink are paired, and the pairs are sorted into columns without doubles. Then
+        // every pair looks up its place in its column, so that assembling needs no search. Pairs with a held unknown
+        // go to one place behind the matrix.
         let locals: Vec<[u32; LOCAL]> =
             (0..sheet.pieces.len()).map(|t| numbering.of_piece(sheet, t)).collect();
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); numbering.count];

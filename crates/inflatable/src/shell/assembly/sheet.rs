@@ -235,6 +235,9 @@ pub struct State {
 }
 
 fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
+    // Each side is folded against a neighbour, against its own image in a plane of symmetry, or not at all. The lean
+    // of an edge counts with opposite signs on its two triangles, and not at all on a plane, where the fold is
+    // symmetric.
     let corners = mesh.triangles[t];
     let edges = mesh.triangle_edges[t];
     let flat = Flat::new(corners.map(|corner| mesh.points[corner]));

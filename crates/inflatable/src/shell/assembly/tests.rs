@@ -118,6 +118,8 @@ fn the_gradient_is_that_of_the_energy() {
 
 #[test]
 fn the_hessian_is_that_of_the_gradient() {
+    // The sparse lower triangle is filled into a dense matrix. Each of its rows is compared with a sixth-order
+    // difference quotient of the gradient.
     for (index, (mut assembly, state)) in all_sheets().enumerate() {
         let _ = assembly.linearise(&state, PRESSURE, Tangent::Exact);
         let count = assembly.unknowns();
@@ -343,6 +345,8 @@ fn a_margin_bears_a_pull_as_the_tube_does() -> Result<(), MeshFault> {
 /// Without compression a sheet resists every motion at least as much as with it, and a taut one as much.
 #[test]
 fn a_sheet_without_compression_is_nowhere_softer() {
+    // The quadratic form of both Hessians is taken for random motions of each sheet. Then the sheets are pulled taut,
+    // where both must agree.
     for (index, (mut assembly, mut state)) in all_sheets().enumerate() {
         let flat = assembly.sheet.flat();
         let mut second_change = |state: &State, tangent, seed: usize| {

@@ -84,6 +84,8 @@ pub enum Input {
 
 impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Each fault names the quantity, its value and the allowed range. A stopped computation names the last
+        // pressure at which it had an equilibrium, because a lower pressure is the remedy.
         f.write_str(match self {
             Self::Width => "the width, m",
             Self::Poisson => "Poisson's ratio",

@@ -121,6 +121,8 @@ fn size_does_not_matter_at_the_same_ratios() {
 
 #[test]
 fn arms_that_meet_press_and_do_not_pass() {
+    // The flat arms of six points meet when they inflate. They press on the plane between them and stay on their side
+    // of it. Then an object in the middle is widened twice, and is pressed harder each time.
     let pressure = 37e3;
     let paper_tube = tube(0.03, pressure);
     let sector = HalfSector { n: 6, rho_0: 5.0 / 3.0, w: 1.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };

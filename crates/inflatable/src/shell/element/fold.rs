@@ -53,6 +53,9 @@ impl Facet {
 
     /// Adds the Hessian of the sum of `moments[i]` times beta of edge `i`.
     pub fn add_hessian(&self, corners: [Vector; 3], moments: [f64; 3], hessian: &mut Square) {
+        // The change of the normal is linear in the corners, by the heights of the triangle. So the second derivative
+        // is a sum of products of the normal with a vector for each pair of corners. These vectors are summed over the
+        // three edges first, and multiplied out once.
         let n = self.normal;
         let mut sums = [[[0.0; 3]; 3]; 3];
         for i in 0..3 {

@@ -184,6 +184,8 @@ fn scaled(path: &Path, factor: f64) -> Path {
 
 /// The segments of each curve, cut where another curve meets them.
 fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
+    // A segment is cut at its crossings with other curves, and where an open curve ends on it. Cuts closer together
+    // than the tolerance are one. Boxes leave out the curves that are too far away.
     let boxes: Vec<Vec<Bounds>> =
         curves.iter().map(|path| path.segments.iter().map(Segment::bounds).collect()).collect();
     let bounds_of: Vec<Bounds> = curves.iter().map(|path| path.bounds().grown(MEETS)).collect();

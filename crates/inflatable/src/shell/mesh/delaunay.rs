@@ -203,6 +203,9 @@ impl BorderPoints {
 
     /// Seeds until no triangle is too large: the circumcentre of the largest first, pass by pass.
     fn seeds(&self, sizing: &Sizing) -> Result<Vec<Point>, MeshFault> {
+        // A triangle is too large if its circumcircle exceeds the size wanted at its centre. All such centres of a
+        // pass are tried, the largest first, and those too near to a point or to the border are left out. The order is
+        // by size, then by place, so that every machine makes the same mesh.
         let mut seeds = Vec::new();
         let mut triangulation = self.triangulation(&seeds)?;
         loop {

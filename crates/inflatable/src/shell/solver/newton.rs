@@ -143,6 +143,9 @@ impl Solver {
     }
 
     fn iterate(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
+        // Each round linearises, finds a step, and takes as much of it as lowers the energy. Far from the equilibrium
+        // a rougher tangent converges more surely; it is left once the energy hardly falls. An equilibrium counts only
+        // if its Hessian needed no shift: it is then stable.
         self.experience.begin();
         let mut energy = self.linearise(state, aim.pressure);
         let max_iterations = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };

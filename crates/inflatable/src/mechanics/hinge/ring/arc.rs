@@ -57,6 +57,9 @@ pub(super) struct TensionArc<const N: usize> {
 
 /// The arc from `start` down to the slope angle `end`.
 pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> TensionArc<N> {
+    // With theta half the slope angle from the vertical, all that is asked of the arc is an integral over theta. Where
+    // the axis stays away from zero, Gauss' rule over theta serves. Where the arc nearly meets its axis, theta is
+    // replaced by chi, in which the integrand stays smooth.
     let zero = Dual::constant(0.0);
     let half = |phi: Dual<N>| (phi + FRAC_PI_2) * 0.5;
     let (theta_start, theta_end) = (half(start.phi), half(end));

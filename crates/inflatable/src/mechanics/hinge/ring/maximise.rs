@@ -96,6 +96,8 @@ fn add(a: &mut [f64], factor: f64, b: &[f64]) {
 
 /// Minimises by L-BFGS with Armijo steps.
 fn minimise(chain: &Chain, angles: &mut Vec<f64>) {
+    // The two loops over the memory turn the gradient into a quasi-Newton direction. A step is halved until the merit
+    // falls by a part of what the slope promises. The last twenty steps are remembered.
     let (mut merit, mut gradient) = chain.merit(angles);
     let mut memory: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
     for _ in 0..600 {

@@ -348,6 +348,8 @@ mod tests {
 
     #[test]
     fn thin_fabric_has_its_own_table_which_meets_the_grid() {
+        // The file's hash is that of its own body. Each of its lines is read back through `arms`. At the grid's edge
+        // the thin table and the grid give one answer.
         let body: String = SHIPPED_THIN
             .lines()
             .filter(|line| !line.starts_with('#'))

@@ -161,6 +161,8 @@ pub(super) fn answer(
     pulls: &[Vec<Station>],
     (measured, shape, surface): (Measured, InflatedShape, Surface),
 ) -> InflatedRegion {
+    // The meshes were computed in units of the chamber's width and the fabric's stretching stiffness. Here each number
+    // gets its unit back.
     let (w, y) = (tube.width, tube.fabric.stretch);
     let seams = seam_pulls(case, pulls, [w, y]);
     let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));

@@ -103,6 +103,8 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
 
 /// Inflates it on these meshes.
 fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
+    // The chamber is scaled to the width 1 and meshed. On each mesh of the family the equilibrium is measured: numbers
+    // for the mesh error, pulls along the seams, and probed points. The finest mesh gives shape and surface.
     let width = case.chamber.widest();
     let tube = Tube { width, fabric: case.fabric, pressure: case.pressure };
     tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;

@@ -26,6 +26,9 @@ pub(super) fn measure(
     (state, pressure): (&State, f64),
     sealed: &SealedNodes,
 ) -> Measured {
+    // Volume, height and extents are those of one sheet and its mirror image. The largest stretch and tension are
+    // looked for triangle by triangle, each with its place. The last number is filled in by the caller, who knows the
+    // seams.
     let mesh = &meshed.mesh;
     let volumes = mesh.triangles.iter().map(|corners| volume(corners.map(|corner| state.points[corner])));
     let volume = 2.0 * volumes.sum::<f64>();

@@ -54,6 +54,9 @@ struct ForceAlongCurve {
 
 impl ForceAlongCurve {
     fn new(meshed: &Meshed, curve_of: &[usize], curve: usize, forces: &[[f64; 3]]) -> Self {
+        // Edges of the seam's curve are sorted by their place along it. The force of each point is shared between the
+        // edges at it by their lengths. Running sums of length and force then give the mean pull of any part of the
+        // seam by a difference.
         let mesh = &meshed.mesh;
         let mut starts = vec![0.0; meshed.pieces.len() + 1];
         for (piece, of) in curve_of.iter().enumerate() {

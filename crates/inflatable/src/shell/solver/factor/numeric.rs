@@ -133,6 +133,8 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
 
     /// Subtracts from a panel what the supernodes before it add, and factors it.
     fn factor(&mut self, number: usize) -> bool {
+        // Supernodes that still have rows in this panel wait for it in a linked list. Each is collected, and then
+        // waits for the panel of its next row. Their products are subtracted, and the panel is factored alone.
         let node = &self.symbolic.supernodes[number];
         let first_column = self.part.columns.start;
         for (row, place) in self.symbolic.below.of(number).iter().zip((0_u32..).skip(node.width())) {

@@ -42,6 +42,8 @@ impl Refinement {
         (accuracy, max_iterations): (f64, u32),
         mut precondition: impl FnMut(&mut [f64]),
     ) -> Convergence {
+        // Conjugate gradients, preconditioned by a factor in single precision or of a matrix near by. A direction of
+        // negative curvature proves that the matrix is indefinite.
         let Self { residual, conditioned, direction, product } = self;
         residual.copy_from_slice(vector);
         conditioned.copy_from_slice(vector);

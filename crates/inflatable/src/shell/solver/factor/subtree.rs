@@ -70,6 +70,9 @@ impl TreeWork {
         mut tops: Vec<usize>,
         total_work: u64,
     ) -> Subtree {
+        // Work above a part of the whole is divided between the subtrees of its tops. A top that does nearly all of
+        // the work alone is replaced by its children. What belongs to no part is the section's own work, after its
+        // parts.
         let work: u64 = tops.iter().map(|top| self.work[*top]).sum();
         let mut parts = Vec::new();
         if work > LEAST.max(total_work / LEAST_PART) {

@@ -64,6 +64,8 @@ struct Section<'a, R> {
 
 impl<R: RealField + Copy> Section<'_, R> {
     fn solve_forwards(mut self) {
+        // The parts are solved side by side, each with rows of its own for what it adds beyond itself. Those rows are
+        // added up afterwards, in a fixed order. Then the section's own supernodes follow one by one.
         for (part, beyond) in self.part.parts.iter().zip(&mut self.beyond.parts) {
             for row in rows_beyond(self.symbolic, part) {
                 beyond.rows[row - part.columns.end] = R::zero();
