@@ -12,6 +12,8 @@ pub(super) struct Group<'a> {
 
 /// All groups up to the end of the file; group `i` is on the lines `2 i + 1` and `2 i + 2`.
 pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Vec<Fault>> {
+    // A group is two lines: a code and a value. Blanks around values do not count, but in texts (code 1). Reading ends
+    // at the end mark; a file without one may be cut off and is refused.
     let mut lines = text.lines();
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {

@@ -75,6 +75,8 @@ fn unescaped(text: &str) -> Cow<'_, str> {
 
 /// Length of the file's unit, mm: the user's, or $INSUNITS.
 fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> Option<f64> {
+    // The user's unit wins over the file's, with a note where both differ. Without either, millimetres are assumed if
+    // the caller allows that, else the file is refused.
     let code = sections.units.map_or(0, |value| value.parse::<i64>().unwrap_or(-1));
     let file_unit = match code {
         1 => Some(Unit::Inch),

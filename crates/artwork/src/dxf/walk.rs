@@ -66,6 +66,9 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 
     fn entities(&mut self, entities: &[Record<'a, 'g>], context: &Context) -> Result<(), Stop> {
+        // A POLYLINE takes the VERTEX records behind it along. Hidden entities are passed over in silence, annotations
+        // with one note for all. A flaw becomes a fault or a note with its line, and reading goes on; only a limit
+        // ends it.
         let mut index = 0;
         while let Some(record) = entities.get(index) {
             index += 1;
@@ -203,6 +206,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
     /// Reads the block of an INSERT, once for each row and column.
     fn insert(&mut self, record: &Record<'a, 'g>, place: &Place, context: &Context) -> Result<(), Flaw> {
+        // A block that contains itself, is too deep, or stands in another file is refused. Its entities are read once
+        // for each row and column. Each copy has its number in its elements' names.
         let sections = self.sections;
         let name = record.text(2).unwrap_or_default();
         let key = name.to_lowercase();

@@ -64,6 +64,8 @@ mod tests {
 
     #[test]
     fn paints_are_read_or_told_from_those_that_are_not() {
+        // Colours in all ways of writing, paints that cannot be seen, values that are not understood, references, and
+        // words that stand for another paint.
         let red = Some(Some(Paint::Colour([255, 0, 0])));
         for text in [
             "#ff0000",

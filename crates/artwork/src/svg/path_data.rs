@@ -59,6 +59,8 @@ impl Pen {
     }
 
     fn draw(&mut self, segment: PathSegment) {
+        // Places are absolute or count from the current one. A smooth curve mirrors the last control point only if the
+        // segment before it was a curve of its own kind, so both are taken first.
         let current = self.at;
         let place =
             |abs: bool, x: f64, y: f64| if abs { Point::new(x, y) } else { current + Vec2::new(x, y) };

@@ -129,6 +129,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn unclipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        // Elements that are never drawn are passed over, hidden ones noted with the reason. The rest is a group, a
+        // reference or a shape. Any other element is noted with its place, since something in the drawing is lost.
         self.out.visit()?;
         self.out.text(node.attributes().map(|attribute| 16 + attribute.value().len()).sum())?;
         let tag = node.tag_name().name();
@@ -185,6 +187,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// A nested `<svg>`, or a `<symbol>` or `<svg>` that `frame` (a `<use>`) refers to and may give a size.
     fn nested(&mut self, node: Node<'a, 'd>, frame: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        // A size of the reference goes before the element's own. The view box is fitted into it, which gives map and
+        // viewport for all elements within.
         let read = || -> Result<(Affine, Viewport), String> {
             let length = |name, axis, default: f64| {
                 let value = frame.attribute(name).or_else(|| node.attribute(name));
@@ -218,6 +222,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn reference(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        // References into other files are noted, and circles of references refused. The target is read as if it stood
+        // here, with the reference's transform and names around its own.
         self.deeper(node, context)?;
         let href =
             node.attributes().find(|attribute| attribute.name() == "href").map_or("", |a| a.value().trim());
@@ -257,6 +263,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn shape(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        // The element's names from the innermost to the outermost are its layers: label, id, colour, then those of its
+        // groups. Each chain of its outline becomes an element of the drawing. Unseen ones are marked, because nobody
+        // sees what they mean.
         let Some(inner) = self.entered(node, context.clone()) else { return Ok(()) };
         let mut place = self.place(node, context);
         let mut own_names: Vec<&str> = names(node).collect();

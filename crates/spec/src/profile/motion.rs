@@ -24,6 +24,8 @@ const MARLIN: (f64, f64) = (120.0, 6.0);
 
 /// Reads `[motion]` of a controller of `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
+    // Steps are given for all axes or for none. What a profile leaves out is unknown, which is not zero: the clock and
+    // the chop need to tell both apart. The dialect decides what the controller's planner adds.
     let axes = ["x_steps_per_mm", "y_steps_per_mm", "z_steps_per_mm"];
     let steps_per_mm = match axes.map(|axis| known_number(s, axis, STEPS)) {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
