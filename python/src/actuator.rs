@@ -39,17 +39,17 @@ pub(crate) fn actuator(
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<ActuatorPrediction> {
-    let asked = actuator_question(&options("actuator", &actuator_keywords(), question)?)
+    let checked_question = actuator_question(&options("actuator", &actuator_keywords(), question)?)
         .map_err(|failure| of_failure(py, &failure))?;
-    let ActuatorQuestion { actuator, angles, level, detail } = asked;
+    let ActuatorQuestion { actuator, angles, level, detail } = checked_question;
     let refused = |text: String| plain(py, "PredictionError", "no-prediction", &text);
     if let Some(level) = level {
         let answer = py.detach(|| actuate(&actuator, level, &angles));
         return ActuatorPrediction::new(py, answer.map_err(|fault| refused(fault.to_string()))?, None);
     }
-    let found = wait(py, progress, move |line| {
+    let computed_answer = wait(py, progress, move |line| {
         line.watched(|watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
-    let (answer, shape) = found.map_err(|fault: ShellFault| refused(fault.to_string()))?;
+    let (answer, shape) = computed_answer.map_err(|fault: ShellFault| refused(fault.to_string()))?;
     ActuatorPrediction::new(py, answer, Some(Mesh { shape, symmetry: Symmetry::Mirror, seams: Vec::new() }))
 }

@@ -27,12 +27,12 @@ pub(crate) enum Answer {
 impl Answer {
     /// A new dict, equal to the JSON of the command's `--json`.
     fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let made = match self {
+        let value = match self {
             Self::Gripper(_, answer) => pythonize::pythonize(py, answer)?,
             Self::Actuator(actuated) => pythonize::pythonize(py, actuated)?,
             Self::Restored { fields, .. } => py.import("copy")?.call_method1("deepcopy", (fields,))?,
         };
-        Ok(made.cast_into::<PyDict>()?)
+        Ok(value.cast_into::<PyDict>()?)
     }
 
     /// The text that the command prints.
@@ -194,8 +194,8 @@ macro_rules! answer {
 
             fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
                 let (py, PythonAnswer { answer, mesh, .. }) = (slf.py(), &slf.get().0);
-                let kept = (answer.dict(py)?, answer.page(), answer.shown(), mesh.as_ref());
-                Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(py)?))
+                let state = (answer.dict(py)?, answer.page(), answer.shown(), mesh.as_ref());
+                Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(py)?))
             }
         }
     };
@@ -215,15 +215,15 @@ pub(crate) struct DrawnPrediction(PythonAnswer);
 
 answer!(DrawnPrediction, &[Drawn::KEYS]);
 
-/// The answer about the gripper of `given`, a `Prediction` or a `DrawnPrediction`; only the shell's has a `mesh`.
+/// The answer about the gripper of `loaded`, a `Prediction` or a `DrawnPrediction`; only the shell's has a `mesh`.
 pub(crate) fn of_gripper(
     py: Python<'_>,
-    given: Arc<Loaded>,
+    loaded: Arc<Loaded>,
     answer: GripperAnswer,
     mesh: Option<Mesh>,
 ) -> PyResult<Py<PyAny>> {
     let is_drawn = matches!(answer, GripperAnswer::Drawn(_));
-    let answer = PythonAnswer::new(py, Answer::Gripper(given, answer), mesh)?;
+    let answer = PythonAnswer::new(py, Answer::Gripper(loaded, answer), mesh)?;
     if is_drawn {
         Ok(Py::new(py, DrawnPrediction(answer))?.into_any())
     } else {

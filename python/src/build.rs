@@ -65,29 +65,34 @@ pub(crate) fn build(
 ) -> PyResult<Build> {
     refuse_unknown("build", &["only", "with_", "anyway", "progress"], unknown)?;
     let request = KindRequest { only: only.unwrap_or_default(), with: with_.unwrap_or_default() };
-    let made = {
-        let (given, request) = (Arc::clone(&spec.given), request.clone());
-        wait(py, progress, move |line| made(&given, &request, anyway, line))?
+    let result = {
+        let (loaded, request) = (Arc::clone(&spec.given), request.clone());
+        wait(py, progress, move |line| build_proven(&loaded, &request, anyway, line))?
     };
-    let given = Arc::clone(&spec.given);
-    match made {
-        Ok(proven) => Ok(Build { given, request, anyway, proven, files: PyOnceLock::new() }),
-        Err(Stopped::Refused(refusals)) => Err(of_design(py, &given, refusals)),
+    let loaded = Arc::clone(&spec.given);
+    match result {
+        Ok(proven) => Ok(Build { given: loaded, request, anyway, proven, files: PyOnceLock::new() }),
+        Err(Stopped::Refused(refusals)) => Err(of_design(py, &loaded, refusals)),
         Err(Stopped::Wrong(findings)) => Err(of_findings(py, &findings)),
         Err(Stopped::Cancelled) => Err(of_failure(py, &embedded::Failure::Interrupted)),
     }
 }
 
-fn made(given: &Loaded, request: &KindRequest, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
+fn build_proven(
+    loaded: &Loaded,
+    request: &KindRequest,
+    anyway: bool,
+    line: &Line,
+) -> Result<Proven, Stopped> {
     line.tell(0.0, "design, plan and prediction");
     let forecast =
-        Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
+        Forecast::of(loaded.reading.spec.clone(), loaded.machine.clone()).map_err(Stopped::Refused)?;
     if !anyway {
         forecast.unfit().or(()).map_err(Stopped::Refused)?;
     }
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.2, "files");
-    let built = forecast.build(given.sources(), request);
+    let built = forecast.build(loaded.sources(), request);
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.5, "reading them back");
     built.prove().map_err(Stopped::Wrong)
@@ -117,20 +122,21 @@ impl Build {
     /// The prediction, without a mesh; None if the spec has no [load].
     #[getter]
     fn prediction(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
-        let Forecast { prediction, drawn, .. } = &self.proven.built().forecast;
+        let Forecast { prediction, drawn: drawing, .. } = &self.proven.built().forecast;
         let star = prediction.clone().map(|star| GripperAnswer::Star(Box::new(star)));
-        let drawn = drawn.as_ref().map(|drawn| GripperAnswer::Drawn(Box::new(drawn.prediction.clone())));
-        star.or(drawn).map(|answer| of_gripper(py, Arc::clone(&self.given), answer, None)).transpose()
+        let drawn_answer =
+            drawing.as_ref().map(|drawing| GripperAnswer::Drawn(Box::new(drawing.prediction.clone())));
+        star.or(drawn_answer).map(|answer| of_gripper(py, Arc::clone(&self.given), answer, None)).transpose()
     }
 
     /// Largest deviation of every measured file from the exact design, mm.
     #[getter]
     fn deviation_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let all = PyDict::new(py);
+        let deviations = PyDict::new(py);
         for file in &self.proven.proof().files {
-            all.set_item(&file.path, file.deviation)?;
+            deviations.set_item(&file.path, file.deviation)?;
         }
-        Ok(all)
+        Ok(deviations)
     }
 
     /// Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
@@ -164,21 +170,22 @@ impl Build {
         anyway: bool,
         version: &str,
     ) -> PyResult<Self> {
-        let own = Tool::current().version;
-        if version != own {
-            let text =
-                format!("a build of version {version} was pickled, this is version {own}: build it again");
+        let version_here = Tool::current().version;
+        if version != version_here {
+            let text = format!(
+                "a build of version {version} was pickled, this is version {version_here}: build it again"
+            );
             return Err(plain(py, "Error", "refused", &text));
         }
         build(py, spec, only, with_, anyway, None, None)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { given, request, anyway, .. } = slf.get();
+        let Self { given: loaded, request, anyway, .. } = slf.get();
         let names = |kinds: &[Kind]| kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>();
-        let spec = Spec { given: Arc::clone(given) };
-        let kept = (spec, names(&request.only), names(&request.with), *anyway, Tool::current().version);
-        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
+        let spec = Spec { given: Arc::clone(loaded) };
+        let state = (spec, names(&request.only), names(&request.with), *anyway, Tool::current().version);
+        Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {

@@ -35,10 +35,10 @@ pub(crate) struct Star {
 /// The exact geometry of `spec`. Raises DesignError with all reasons if there is none.
 #[pyfunction]
 pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
-    let given = Arc::clone(&spec.given);
-    let made = py.detach(|| exact::Design::new(&given.reading.spec, &given.machine));
-    let design = made.map_err(|refusals| of_design(py, &given, refusals))?;
-    Ok(Design { given, design: Arc::new(design) })
+    let loaded = Arc::clone(&spec.given);
+    let result = py.detach(|| exact::Design::new(&loaded.reading.spec, &loaded.machine));
+    let design = result.map_err(|refusals| of_design(py, &loaded, refusals))?;
+    Ok(Design { given: loaded, design: Arc::new(design) })
 }
 
 #[pymethods]
@@ -59,28 +59,28 @@ impl Design {
     /// The sheets: dicts of `index`, `width_mm` and `height_mm`.
     #[getter]
     fn sheets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let all = self.design.sheets.iter().map(|sheet| {
-            let one = PyDict::new(py);
-            one.set_item("index", sheet.index)?;
-            one.set_item("width_mm", sheet.width)?;
-            one.set_item("height_mm", sheet.height)?;
-            Ok(one)
+        let sheet_dicts = self.design.sheets.iter().map(|sheet| {
+            let sheet_dict = PyDict::new(py);
+            sheet_dict.set_item("index", sheet.index)?;
+            sheet_dict.set_item("width_mm", sheet.width)?;
+            sheet_dict.set_item("height_mm", sheet.height)?;
+            Ok(sheet_dict)
         });
-        PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
+        PyList::new(py, sheet_dicts.collect::<PyResult<Vec<_>>>()?)
     }
 
     /// Warnings before it is made: dicts of code, key, found and remedy.
     #[getter]
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let all = self.design.warnings.iter().map(|warning| {
-            let one = PyDict::new(py);
-            one.set_item("code", warning.code.to_string())?;
-            one.set_item("key", warning.key.to_string())?;
-            one.set_item("found", &warning.found)?;
-            one.set_item("remedy", &warning.remedy)?;
-            Ok(one)
+        let warning_dicts = self.design.warnings.iter().map(|warning| {
+            let warning_dict = PyDict::new(py);
+            warning_dict.set_item("code", warning.code.to_string())?;
+            warning_dict.set_item("key", warning.key.to_string())?;
+            warning_dict.set_item("found", &warning.found)?;
+            warning_dict.set_item("remedy", &warning.remedy)?;
+            Ok(warning_dict)
         });
-        PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
+        PyList::new(py, warning_dicts.collect::<PyResult<Vec<_>>>()?)
     }
 
     /// The preview of its first sheet, for notebooks: None if the machine cannot seal it.
@@ -132,13 +132,14 @@ impl Star {
         &self.part().star
     }
 
-    fn centers<'py>(&self, py: Python<'py>, of: impl Fn(u32) -> Point) -> PyResult<Bound<'py, PyAny>> {
-        let all: Vec<[f64; 2]> = (1..=self.flat().n).map(of).map(|point| [point.x, point.y]).collect();
-        rows(py, &all, 1.0)
+    fn centers<'py>(&self, py: Python<'py>, center_of: impl Fn(u32) -> Point) -> PyResult<Bound<'py, PyAny>> {
+        let points: Vec<[f64; 2]> =
+            (1..=self.flat().n).map(center_of).map(|point| [point.x, point.y]).collect();
+        rows(py, &points, 1.0)
     }
 }
 
-fn both(paths: [&Path; 2]) -> (Contour, Contour) {
+fn contours(paths: [&Path; 2]) -> (Contour, Contour) {
     (Contour(paths[0].clone()), Contour(paths[1].clone()))
 }
 
@@ -223,36 +224,37 @@ impl Star {
     #[getter]
     fn arms_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let edge = |side| self.flat().contour(side, 0.0, 0.0).unwrap_or_default();
-        let (hole, outside) = (edge(Side::Hole), edge(Side::Outside));
+        let (hole, outer_edge) = (edge(Side::Hole), edge(Side::Outside));
         let ends = |of: &Trimmed, arm: u32| {
-            let found = of.parts.iter().find(|(part, _)| *part == Part::Arm(arm)).map(|(_, segment)| segment);
-            found.map_or([[f64::NAN; 2]; 2], |found| [found.start(), found.end()].map(|p| [p.x, p.y]))
+            let segment =
+                of.parts.iter().find(|(part, _)| *part == Part::Arm(arm)).map(|(_, segment)| segment);
+            segment.map_or([[f64::NAN; 2]; 2], |segment| [segment.start(), segment.end()].map(|p| [p.x, p.y]))
         };
-        let all = (1..=2 * self.flat().n).flat_map(|arm| {
-            let ([a, b], [d, c]) = (ends(&hole, arm), ends(&outside, arm));
+        let coordinates = (1..=2 * self.flat().n).flat_map(|arm| {
+            let ([a, b], [d, c]) = (ends(&hole, arm), ends(&outer_edge, arm));
             [a, b, c, d]
         });
-        let all: Vec<f64> = all.flatten().collect();
-        floats(py, &all, &[all.len() / 8, 4, 2])
+        let numbers: Vec<f64> = coordinates.flatten().collect();
+        floats(py, &numbers, &[numbers.len() / 8, 4, 2])
     }
 
     /// The tube's edges as drawn, towards the hole and outside; that one is open where the inlet is.
     #[getter]
     fn edges(&self) -> (Contour, Contour) {
-        both(self.part().edges.each_ref())
+        contours(self.part().edges.each_ref())
     }
 
     /// The iron's paths, inner and outer loop: the centre lines of the bands, without overlap.
     #[getter]
     fn seams(&self) -> (Contour, Contour) {
-        both([0, 1].map(|i| &self.part().shape.seams[i].center_line))
+        contours([0, 1].map(|i| &self.part().shape.seams[i].center_line))
     }
 
     /// The cut edges: around the star and around the hole.
     #[getter]
     fn outline(&self) -> (Contour, Contour) {
         let outline = &self.part().outline;
-        both([&outline.outside, &outline.hole])
+        contours([&outline.outside, &outline.hole])
     }
 
     /// The windows of the coating mask.
@@ -284,16 +286,16 @@ impl Star {
 
     /// Called by `__reduce__`.
     #[classmethod]
-    fn _restored(class: &Bound<'_, PyType>, whole: Py<Design>, index: usize) -> PyResult<Self> {
-        let placed = whole.get().placed().iter().find(|placed| placed.index == index).copied();
+    fn _restored(class: &Bound<'_, PyType>, design: Py<Design>, index: usize) -> PyResult<Self> {
+        let placed = design.get().placed().iter().find(|placed| placed.index == index).copied();
         let placed = placed.ok_or_else(|| usage(class.py(), format!("the design has no star {index}")))?;
-        Ok(Self { whole, placed })
+        Ok(Self { whole: design, placed })
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let Self { whole, placed } = slf.get();
-        let kept = (whole, placed.index).into_pyobject(slf.py())?;
-        Ok((slf.get_type().getattr("_restored")?, kept))
+        let state = (whole, placed.index).into_pyobject(slf.py())?;
+        Ok((slf.get_type().getattr("_restored")?, state))
     }
 
     fn __repr__(&self) -> String {

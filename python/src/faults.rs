@@ -15,24 +15,24 @@ use stargrip_cam::verify::Finding;
 
 use crate::options::in_keywords;
 
-/// The exception `name` of `stargrip_cam.errors` with the message `text` and the faults `about`.
-fn raised(py: Python<'_>, name: &str, text: &str, about: &Bound<'_, PyAny>) -> PyErr {
+/// The exception `name` of `stargrip_cam.errors` with the message `text` and the faults `faults`.
+fn raised(py: Python<'_>, name: &str, text: &str, faults: &Bound<'_, PyAny>) -> PyErr {
     static MODULE: PyOnceLock<Py<PyModule>> = PyOnceLock::new();
     let module = MODULE.get_or_try_init(py, || py.import("stargrip_cam.errors").map(Bound::unbind));
-    let made = module.and_then(|module| module.bind(py).getattr(name)?.call1((text, about)));
-    made.map_or_else(|error| error, PyErr::from_value)
+    let exception = module.and_then(|module| module.bind(py).getattr(name)?.call1((text, faults)));
+    exception.map_or_else(|error| error, PyErr::from_value)
 }
 
 /// The exception `name` with one fault: the code `code`, and `text`, whose options become keywords.
 pub(crate) fn plain(py: Python<'_>, name: &str, code: &str, text: &str) -> PyErr {
     let text = in_keywords(text);
-    let about = || {
-        let one = PyDict::new(py);
-        one.set_item("code", code)?;
-        one.set_item("found", &text)?;
-        Ok(vec![one].into_pyobject(py)?.into_any())
+    let fault_list = || {
+        let fault_dict = PyDict::new(py);
+        fault_dict.set_item("code", code)?;
+        fault_dict.set_item("found", &text)?;
+        Ok(vec![fault_dict].into_pyobject(py)?.into_any())
     };
-    about().map_or_else(|error: PyErr| error, |about| raised(py, name, &text, &about))
+    fault_list().map_or_else(|error: PyErr| error, |fault_list| raised(py, name, &text, &fault_list))
 }
 
 /// Wrong arguments, or arguments that exclude each other: `UsageError`.
@@ -46,36 +46,40 @@ pub(crate) fn of_spec(py: Python<'_>, faults: &Faults) -> PyErr {
 }
 
 /// The refusals of a design: `DesignError`.
-pub(crate) fn of_design(py: Python<'_>, given: &Loaded, refusals: Refusals) -> PyErr {
-    of_faults(py, "DesignError", &at_keys(&given.source, &given.reading.raw, refusals))
+pub(crate) fn of_design(py: Python<'_>, loaded: &Loaded, refusals: Refusals) -> PyErr {
+    of_faults(py, "DesignError", &at_keys(&loaded.source, &loaded.reading.raw, refusals))
 }
 
 /// A prediction that cannot be made: `PredictionError`.
-pub(crate) fn of_prediction(py: Python<'_>, given: &Loaded, fault: &PredictFault) -> PyErr {
+pub(crate) fn of_prediction(py: Python<'_>, loaded: &Loaded, fault: &PredictFault) -> PyErr {
     let refusals = no_prediction(fault).into();
-    of_faults(py, "PredictionError", &at_keys(&given.source, &given.reading.raw, refusals))
+    of_faults(py, "PredictionError", &at_keys(&loaded.source, &loaded.reading.raw, refusals))
 }
 
 fn of_faults(py: Python<'_>, name: &str, faults: &Faults) -> PyErr {
-    let about = faults.list().iter().filter(|fault| fault.level == Severity::Error);
-    let about = about.map(|fault| one(py, faults, fault)).collect::<PyResult<Vec<_>>>();
-    match about.and_then(|about| Ok(about.into_pyobject(py)?.into_any())) {
-        Ok(about) => raised(py, name, faults.to_string().trim_end(), &about),
+    let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
+    let fault_dicts = errors.map(|fault| fault_dict(py, faults, fault)).collect::<PyResult<Vec<_>>>();
+    match fault_dicts.and_then(|fault_dicts| Ok(fault_dicts.into_pyobject(py)?.into_any())) {
+        Ok(fault_dicts) => raised(py, name, faults.to_string().trim_end(), &fault_dicts),
         Err(error) => error,
     }
 }
 
 /// One fault with its place, as a dict.
-pub(crate) fn one<'py>(py: Python<'py>, faults: &Faults, fault: &Fault) -> PyResult<Bound<'py, PyDict>> {
-    let one = PyDict::new(py);
-    one.set_item("code", fault.code)?;
-    one.set_item("key", faults.key_of(fault))?;
-    one.set_item("line", faults.line_of(fault))?;
-    one.set_item("file", &faults.source().name)?;
-    one.set_item("found", &fault.message)?;
-    one.set_item("allowed", Some(&fault.label).filter(|label| !label.is_empty()))?;
-    one.set_item("help", &fault.help)?;
-    Ok(one)
+pub(crate) fn fault_dict<'py>(
+    py: Python<'py>,
+    faults: &Faults,
+    fault: &Fault,
+) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("code", fault.code)?;
+    dict.set_item("key", faults.key_of(fault))?;
+    dict.set_item("line", faults.line_of(fault))?;
+    dict.set_item("file", &faults.source().name)?;
+    dict.set_item("found", &fault.message)?;
+    dict.set_item("allowed", Some(&fault.label).filter(|label| !label.is_empty()))?;
+    dict.set_item("help", &fault.help)?;
+    Ok(dict)
 }
 
 /// Findings of reading back: `ProofError`.

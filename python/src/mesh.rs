@@ -97,9 +97,10 @@ impl Mesh {
         seams: Vec<(String, Bound<'_, Contour>)>,
     ) -> PyResult<Self> {
         let ((points, flat), [tension, stretch, curvature]) = (nodes, of_triangles);
-        let same = [&tension, &stretch, &curvature].iter().all(|values| values.len() == triangles.len());
-        let known = triangles.as_flattened().iter().all(|node| *node < points.len());
-        if !(same && known && points.len() == flat.len()) {
+        let are_as_many =
+            [&tension, &stretch, &curvature].iter().all(|values| values.len() == triangles.len());
+        let are_nodes = triangles.as_flattened().iter().all(|node| *node < points.len());
+        if !(are_as_many && are_nodes && points.len() == flat.len()) {
             return Err(usage(class.py(), "the lists of a mesh do not fit together"));
         }
         let symmetry = match sectors {

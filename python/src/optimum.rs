@@ -62,22 +62,23 @@ pub(crate) fn optimize(
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Optimum> {
-    let options = options("optimize", &optimize_keywords(), question)?;
-    let given = Arc::clone(&spec.given);
+    let option_list = options("optimize", &optimize_keywords(), question)?;
+    let loaded = Arc::clone(&spec.given);
     let optimum = wait(py, progress, move |line| {
         line.tell(0.0, "searching");
-        embedded::optimum(&given, &options, &line.cancel)
+        embedded::optimum(&loaded, &option_list, &line.cancel)
     })?;
-    let embedded::Optimum { found, best, short } = optimum.map_err(|failure| of_failure(py, &failure))?;
+    let embedded::Optimum { found: search, best, short } =
+        optimum.map_err(|failure| of_failure(py, &failure))?;
     let Loaded { source, path, .. } = spec.given.as_ref();
     let owned =
         |missed: Vec<(&str, f64)>| missed.into_iter().map(|(what, part)| (what.to_owned(), part)).collect();
     Ok(Optimum {
         spec: best.map(|text| of_text(py, &text, &source.name, path)).transpose()?,
-        computed: found.computed,
-        best: columns(&found.best),
+        computed: search.computed,
+        best: columns(&search.best),
         short: short.into_iter().map(owned).collect(),
-        front: columns(&found.front),
+        front: columns(&search.front),
     })
 }
 
@@ -121,8 +122,8 @@ impl Optimum {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let Self { spec, computed, best, short, front } = slf.get();
-        let kept = (spec.clone(), *computed, best.clone(), short.clone(), front.clone());
-        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
+        let state = (spec.clone(), *computed, best.clone(), short.clone(), front.clone());
+        Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {
@@ -135,8 +136,8 @@ impl Optimum {
 /// A column: its name and the value of one design.
 type Column = (&'static str, fn(&Evaluation) -> Option<f64>);
 
-fn own(one: &Evaluation) -> Option<&Outcome> {
-    one.answer.outcome.as_ref()
+fn outcome_of(evaluation: &Evaluation) -> Option<&Outcome> {
+    evaluation.answer.outcome.as_ref()
 }
 
 fn mm(metres: f64) -> f64 {
@@ -153,15 +154,15 @@ const COLUMNS: &[Column] = &[
     ("tip_radius_mm", |one| Some(one.point.star.tip_radius.0)),
     ("corner_radius_mm", |one| Some(one.point.star.corner_radius.0)),
     ("arm_length_mm", |one| Some(one.answer.star.l)),
-    ("final_radius_mm", |one| own(one).map(|own| mm(own.rest.radius))),
-    ("final_radius_lo_mm", |one| own(one)?.ranges.radius.map(|range| mm(range[0]))),
-    ("final_radius_hi_mm", |one| own(one)?.ranges.radius.map(|range| mm(range[1]))),
-    ("contraction", |one| own(one).map(|own| own.contraction)),
-    ("widest_radius_mm", |one| own(one).map(|own| mm(own.graspable[1]))),
-    ("radial_stiffness_N_per_m", |one| own(one)?.stiffness),
-    ("object_force_N", |one| own(one)?.object_force()),
-    ("object_force_lo_N", |one| own(one)?.force_range.map(|range| range[0])),
-    ("object_force_hi_N", |one| own(one)?.force_range.map(|range| range[1])),
+    ("final_radius_mm", |one| outcome_of(one).map(|own| mm(own.rest.radius))),
+    ("final_radius_lo_mm", |one| outcome_of(one)?.ranges.radius.map(|range| mm(range[0]))),
+    ("final_radius_hi_mm", |one| outcome_of(one)?.ranges.radius.map(|range| mm(range[1]))),
+    ("contraction", |one| outcome_of(one).map(|own| own.contraction)),
+    ("widest_radius_mm", |one| outcome_of(one).map(|own| mm(own.graspable[1]))),
+    ("radial_stiffness_N_per_m", |one| outcome_of(one)?.stiffness),
+    ("object_force_N", |one| outcome_of(one)?.object_force()),
+    ("object_force_lo_N", |one| outcome_of(one)?.force_range.map(|range| range[0])),
+    ("object_force_hi_N", |one| outcome_of(one)?.force_range.map(|range| range[1])),
     ("payload_kg", |one| one.answer.payload),
     ("payload_lo_kg", |one| one.answer.payload_range.map(|range| range[0])),
     ("payload_hi_kg", |one| one.answer.payload_range.map(|range| range[1])),
@@ -179,9 +180,9 @@ fn columns(designs: &[Evaluation]) -> Columns {
 }
 
 fn arrays<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'py, PyDict>> {
-    let all = PyDict::new(py);
+    let dict = PyDict::new(py);
     for (name, values) in columns {
-        all.set_item(name, floats(py, values, &[values.len()])?)?;
+        dict.set_item(name, floats(py, values, &[values.len()])?)?;
     }
-    Ok(all)
+    Ok(dict)
 }

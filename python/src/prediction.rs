@@ -55,33 +55,34 @@ pub(crate) fn predict(
     // A shell takes seconds: it is computed in a thread of its own, which reports its progress and can be interrupted. Models of hinges take
     // less than a millisecond.
     refuse_unknown("predict", &["model", "radii", "fineness", "accuracy", "progress"], unknown)?;
-    let given = Arc::clone(&spec.given);
-    let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref(), accuracy.as_deref())
-        .map_err(|failure| of_failure(py, &failure))?;
-    let own = &given.reading.spec;
-    let answered = if own.drawing.is_some()
-        || asked.accuracy.is_some()
-        || asked.model.unwrap_or(own.accuracy.model) == ModelChoice::Shell
+    let loaded = Arc::clone(&spec.given);
+    let star_question =
+        question(model.as_deref(), radii.as_deref(), fineness.as_deref(), accuracy.as_deref())
+            .map_err(|failure| of_failure(py, &failure))?;
+    let loaded_spec = &loaded.reading.spec;
+    let answered = if loaded_spec.drawing.is_some()
+        || star_question.accuracy.is_some()
+        || star_question.model.unwrap_or(loaded_spec.accuracy.model) == ModelChoice::Shell
     {
-        let given = Arc::clone(&given);
-        wait(py, progress, move |line| line.watched(|watch| answer(&given, &asked, watch)))?
+        let loaded = Arc::clone(&loaded);
+        wait(py, progress, move |line| line.watched(|watch| answer(&loaded, &star_question, watch)))?
     } else {
-        py.detach(|| answer(&given, &asked, &Watch::default()))
+        py.detach(|| answer(&loaded, &star_question, &Watch::default()))
     };
     let (answer, mesh) = answered.map_err(|refused| match refused {
-        Refused::Design(refusals) => of_design(py, &given, refusals),
-        Refused::Model(ShellRefusal::Fault(fault)) => of_prediction(py, &given, &fault),
+        Refused::Design(refusals) => of_design(py, &loaded, refusals),
+        Refused::Model(ShellRefusal::Fault(fault)) => of_prediction(py, &loaded, &fault),
         Refused::Model(ShellRefusal::Cancelled) => of_failure(py, &embedded::Failure::Interrupted),
     })?;
-    of_gripper(py, given, answer, mesh)
+    of_gripper(py, loaded, answer, mesh)
 }
 
 /// Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py.
 #[pyfunction]
 pub(crate) fn repeat(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u32) -> PyResult<()> {
-    let asked = question(model, None, None, None).map_err(|failure| of_failure(py, &failure))?;
+    let star_question = question(model, None, None, None).map_err(|failure| of_failure(py, &failure))?;
     for _ in 0..times {
-        let _ = std::hint::black_box(answer(&spec.given, &asked, &Watch::default()));
+        let _ = std::hint::black_box(answer(&spec.given, &star_question, &Watch::default()));
     }
     Ok(())
 }
@@ -93,9 +94,14 @@ fn question(
     fineness: Option<&str>,
     accuracy: Option<&str>,
 ) -> Result<StarQuestion, embedded::Failure> {
-    let known = model.map(embedded::model);
-    if radii.is_none() && fineness.is_none() && accuracy.is_none() && known != Some(None) {
-        return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: None, accuracy: None });
+    let model_choice = model.map(embedded::model);
+    if radii.is_none() && fineness.is_none() && accuracy.is_none() && model_choice != Some(None) {
+        return Ok(StarQuestion {
+            model: model_choice.flatten(),
+            radii: Vec::new(),
+            detail: None,
+            accuracy: None,
+        });
     }
     let options =
         [("--model", model), ("--radii", radii), ("--fineness", fineness), ("--accuracy", accuracy)];
@@ -104,17 +110,17 @@ fn question(
 }
 
 fn answer(
-    given: &Loaded,
-    asked: &StarQuestion,
+    loaded: &Loaded,
+    star_question: &StarQuestion,
     watch: &Watch<'_>,
 ) -> Result<(GripperAnswer, Option<Mesh>), Refused> {
-    let (spec, design, _) = asked.designed(given).map_err(Refused::Design)?;
-    if design.drawn().is_some() && !asked.radii.is_empty() {
-        let what = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
-        let fault = PredictFault { star: None, key: key::drawing::FILE, what, remedy: None };
+    let (spec, design, _) = star_question.designed(loaded).map_err(Refused::Design)?;
+    if design.drawn().is_some() && !star_question.radii.is_empty() {
+        let problem = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
+        let fault = PredictFault { star: None, key: key::drawing::FILE, what: problem, remedy: None };
         return Err(Refused::Model(ShellRefusal::Fault(fault)));
     }
-    let (answer, shape) = asked.answer((&spec, &design), watch).map_err(Refused::Model)?;
+    let (answer, shape) = star_question.answer((&spec, &design), watch).map_err(Refused::Model)?;
     Ok((answer, shape.map(|shape| mesh_of(&design, shape))))
 }
 

@@ -63,8 +63,8 @@ impl Arc {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
         let Self { center, radius_mm, start_angle_deg, sweep_deg } = slf.get();
-        let kept = (*center, *radius_mm, *start_angle_deg, *sweep_deg);
-        Ok((slf.get_type(), kept.into_pyobject(slf.py())?))
+        let state = (*center, *radius_mm, *start_angle_deg, *sweep_deg);
+        Ok((slf.get_type(), state.into_pyobject(slf.py())?))
     }
 
     /// First point, (x, y) in mm.
@@ -142,8 +142,8 @@ impl Contour {
     /// repeat its first point.
     #[pyo3(signature = (tolerance_mm = 0.01))]
     fn points<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyAny>> {
-        let corners = corners(py, &self.0, tolerance_mm)?.into_iter().map(|point| [point.x, point.y]);
-        rows(py, &corners.collect::<Vec<_>>(), 1.0)
+        let corner_points = corners(py, &self.0, tolerance_mm)?.into_iter().map(|point| [point.x, point.y]);
+        rows(py, &corner_points.collect::<Vec<_>>(), 1.0)
     }
 
     /// As GeoJSON, within 0.01 mm, for shapely.geometry.shape and other readers.
@@ -177,8 +177,8 @@ impl Contour {
             Segment::Line(line) => vec![line.start.x, line.start.y, line.end.x, line.end.y],
             Segment::Arc(arc) => vec![arc.center.x, arc.center.y, arc.radius, arc.start_angle, arc.sweep],
         });
-        let kept = (segments.collect::<Vec<_>>(), *closed);
-        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
+        let state = (segments.collect::<Vec<_>>(), *closed);
+        Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {

@@ -112,9 +112,9 @@ impl Spec {
     ) -> PyResult<Self> {
         let mut changes: Vec<(KeyPath, Option<String>)> = Vec::new();
         for (name, value) in values.into_iter().chain(more).flatten() {
-            let key = key(py, &name.extract::<String>()?)?;
+            let path = key(py, &name.extract::<String>()?)?;
             let value = if value.is_none() { None } else { Some(toml::value(&value)?.to_string()) };
-            changes.push((key, value));
+            changes.push((path, value));
         }
         let changes: Vec<_> = changes.iter().map(|(key, value)| (*key, value.as_deref())).collect();
         let Loaded { source, path, .. } = self.given.as_ref();
@@ -134,12 +134,12 @@ impl Spec {
 
     /// Every key with its value, defaults included, as strings: {"star.points": "5", ...}; None where a key has no default.
     fn settings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let all = PyDict::new(py);
+        let dict = PyDict::new(py);
         for setting in settings(&self.given.source) {
             let dot = if setting.section.is_empty() { "" } else { "." };
-            all.set_item(format!("{}{dot}{}", setting.section, setting.key), setting.value)?;
+            dict.set_item(format!("{}{dot}{}", setting.section, setting.key), setting.value)?;
         }
-        Ok(all)
+        Ok(dict)
     }
 
     /// Name of the gripper in the spec.
@@ -153,15 +153,16 @@ impl Spec {
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let class = py.import("stargrip_cam.errors")?.getattr("Fault")?;
         let warnings = &self.given.reading.warnings;
-        let all = warnings.list().iter().map(|fault| class.call((), Some(&one(py, warnings, fault)?)));
-        PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
+        let warning_objects =
+            warnings.list().iter().map(|fault| class.call((), Some(&one(py, warnings, fault)?)));
+        PyList::new(py, warning_objects.collect::<PyResult<Vec<_>>>()?)
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        let same = |other: PyRef<'_, Self>| {
+        let is_equal = |other: PyRef<'_, Self>| {
             other.given.source.text == self.given.source.text && other.given.machine == self.given.machine
         };
-        other.extract::<PyRef<'_, Self>>().is_ok_and(same)
+        other.extract::<PyRef<'_, Self>>().is_ok_and(is_equal)
     }
 
     fn __hash__(&self, py: Python<'_>) -> PyResult<isize> {
@@ -179,8 +180,8 @@ impl Spec {
 }
 
 impl Spec {
-    pub(crate) fn new(given: Loaded) -> Self {
-        Self { given: Arc::new(given) }
+    pub(crate) fn new(loaded: Loaded) -> Self {
+        Self { given: Arc::new(loaded) }
     }
 }
 
@@ -191,14 +192,14 @@ fn is_path(text: &str) -> bool {
 
 /// The spec of `text`, called `name`, with paths relative to that of `path`.
 pub(crate) fn of_text(py: Python<'_>, text: &str, name: &str, path: &Path) -> PyResult<Spec> {
-    let given = Loaded::from_text(name, text, path);
-    given.map(Spec::new).map_err(|failure| of_failure(py, &failure))
+    let loaded = Loaded::from_text(name, text, path);
+    loaded.map(Spec::new).map_err(|failure| of_failure(py, &failure))
 }
 
 /// The key called `name`: "star.points".
 fn key(py: Python<'_>, name: &str) -> PyResult<KeyPath> {
     named(name).map_err(|near| {
-        let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-        usage(py, format!("`{name}` is not a key of a spec{near}"))
+        let suggestion = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+        usage(py, format!("`{name}` is not a key of a spec{suggestion}"))
     })
 }

@@ -57,7 +57,7 @@ pub(crate) fn sweep<'py>(
     let pool = threads.map(|threads| ThreadPoolBuilder::new().num_threads(threads).build()).transpose();
     let pool = pool.map_err(|error| usage(py, format!("cannot start the threads: {error}")))?;
     let study = Arc::new(study);
-    let all = {
+    let column_values = {
         let study = Arc::clone(&study);
         wait(py, progress, move |line| match pool {
             Some(pool) => pool.install(|| computed(&study, rows, line)),
@@ -65,7 +65,7 @@ pub(crate) fn sweep<'py>(
         })?
     };
     let columns = PyDict::new(py);
-    for (column, values) in study.columns().iter().zip(all) {
+    for (column, values) in study.columns().iter().zip(column_values) {
         columns.set_item(&column.name, array(py, values)?)?;
     }
     Ok(columns)
@@ -104,8 +104,8 @@ fn study_of(
         }
         _ => return Err(usage(py, "a sweep takes either `vary` or `study`")),
     };
-    let wanted = outputs.map(|names| names.into_iter().map(|name| Wanted { name, place: 0..0 }).collect());
-    let file = StudyFile { outputs: wanted.or(file.outputs), ..file };
+    let selected = outputs.map(|names| names.into_iter().map(|name| Wanted { name, place: 0..0 }).collect());
+    let file = StudyFile { outputs: selected.or(file.outputs), ..file };
     Study::new(&file, &spec.given.source).map_err(|faults| of_spec(py, &faults))
 }
 
@@ -127,25 +127,25 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
 /// The columns of `rows`; fewer rows if the call was cancelled.
 fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<ColumnValues> {
     let total = rows.len();
-    let mut all: Vec<ColumnValues> = Vec::new();
-    let (mut done, mut told) = (0, 0);
+    let mut columns: Vec<ColumnValues> = Vec::new();
+    let (mut rows_done, mut rows_told) = (0, 0);
     let take = |batch: RowBatch, count: usize| {
-        done += count;
-        if all.is_empty() {
-            all = batch.columns.iter().map(|values| empty(values, total)).collect();
+        rows_done += count;
+        if columns.is_empty() {
+            columns = batch.columns.iter().map(|values| empty(values, total)).collect();
         }
-        for (own, more) in all.iter_mut().zip(batch.columns) {
+        for (own, more) in columns.iter_mut().zip(batch.columns) {
             append(own, more);
         }
-        if done >= told + STEP {
-            told = done;
+        if rows_done >= rows_told + STEP {
+            rows_told = rows_done;
             #[expect(clippy::cast_precision_loss, reason = "a part, for people")]
-            line.tell(done as f64 / total as f64, "designs");
+            line.tell(rows_done as f64 / total as f64, "designs");
         }
         true
     };
     let _ = study.run(rows, &line.cancel, |batch| batch, take);
-    all
+    columns
 }
 
 /// An empty column of the kind of `values`, with a capacity for `total`, at most 2^22.
@@ -158,11 +158,11 @@ fn empty(values: &ColumnValues, total: usize) -> ColumnValues {
     }
 }
 
-fn append(own: &mut ColumnValues, more: ColumnValues) {
-    match (own, more) {
-        (ColumnValues::Real(own), ColumnValues::Real(more)) => own.extend(more),
-        (ColumnValues::Whole(own), ColumnValues::Whole(more)) => own.extend(more),
-        (ColumnValues::Text(own), ColumnValues::Text(more)) => own.extend(more),
+fn append(column: &mut ColumnValues, rows: ColumnValues) {
+    match (column, rows) {
+        (ColumnValues::Real(column), ColumnValues::Real(rows)) => column.extend(rows),
+        (ColumnValues::Whole(column), ColumnValues::Whole(rows)) => column.extend(rows),
+        (ColumnValues::Text(column), ColumnValues::Text(rows)) => column.extend(rows),
         _ => {}
     }
 }

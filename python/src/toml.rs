@@ -9,25 +9,25 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value
 use crate::faults::usage;
 
 /// A text, a number, a bool or a list of them.
-pub(crate) fn value(found: &Bound<'_, PyAny>) -> PyResult<Value> {
+pub(crate) fn value(object: &Bound<'_, PyAny>) -> PyResult<Value> {
     // A bool is an int in Python, so it comes first.
-    if let Ok(truth) = found.cast::<PyBool>() {
+    if let Ok(truth) = object.cast::<PyBool>() {
         return Ok(truth.is_true().into());
     }
-    if let Ok(text) = found.cast::<PyString>() {
+    if let Ok(text) = object.cast::<PyString>() {
         return Ok(text.to_string().into());
     }
-    if found.is_instance_of::<PyList>() || found.is_instance_of::<PyTuple>() {
-        let items = found.try_iter()?.map(|item| value(&item?));
+    if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
+        let items = object.try_iter()?.map(|item| value(&item?));
         return Ok(Value::Array(items.collect::<PyResult<Array>>()?));
     }
-    if found.is_instance_of::<PyFloat>() {
-        return Ok(found.extract::<f64>()?.into());
+    if object.is_instance_of::<PyFloat>() {
+        return Ok(object.extract::<f64>()?.into());
     }
     // NumPy's integers are not ints, but they are indices; its floats are floats.
-    let whole = found.call_method0("__index__").and_then(|index| index.extract::<i64>());
-    let kind = found.get_type().name()?;
-    whole.map(Value::from).map_err(|_| {
+    let integer = object.call_method0("__index__").and_then(|index| index.extract::<i64>());
+    let kind = object.get_type().name()?;
+    integer.map(Value::from).map_err(|_| {
         PyTypeError::new_err(format!("a value of a spec is a str, int, float, bool or list, not {kind}"))
     })
 }
@@ -59,8 +59,8 @@ fn table(dict: &Bound<'_, PyDict>) -> PyResult<Table> {
 }
 
 /// A list that contains only dicts.
-fn tables(found: &Bound<'_, PyAny>) -> PyResult<Option<ArrayOfTables>> {
-    let Ok(list) = found.cast::<PyList>() else { return Ok(None) };
+fn tables(object: &Bound<'_, PyAny>) -> PyResult<Option<ArrayOfTables>> {
+    let Ok(list) = object.cast::<PyList>() else { return Ok(None) };
     if list.is_empty() || !list.iter().all(|item| item.is_instance_of::<PyDict>()) {
         return Ok(None);
     }
@@ -83,15 +83,15 @@ fn section<'py>(py: Python<'py>, table: &dyn TableLike) -> PyResult<Bound<'py, P
         } else if let Some(list) = item.as_array_of_tables() {
             let inner = list.iter().map(|table| section(py, table)).collect::<PyResult<Vec<_>>>()?;
             dict.set_item(name, inner)?;
-        } else if let Some(found) = item.as_value() {
-            dict.set_item(name, plain(py, found)?)?;
+        } else if let Some(value) = item.as_value() {
+            dict.set_item(name, plain(py, value)?)?;
         }
     }
     Ok(dict)
 }
 
-fn plain<'py>(py: Python<'py>, found: &Value) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match found {
+fn plain<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match value {
         Value::String(text) => text.value().into_pyobject(py)?.into_any(),
         Value::Integer(whole) => whole.value().into_pyobject(py)?.into_any(),
         Value::Float(number) => number.value().into_pyobject(py)?.into_any(),

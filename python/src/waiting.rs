@@ -27,9 +27,9 @@ pub(crate) struct Line {
 
 impl Line {
     /// Reports the part that is done, 0 to 1, and the current step.
-    pub(crate) fn tell(&self, part: f64, what: &str) {
+    pub(crate) fn tell(&self, part: f64, step: &str) {
         // The caller may no longer wait.
-        let _ = self.told.send((part, what.to_owned()));
+        let _ = self.told.send((part, step.to_owned()));
     }
 
     /// Runs `work`, whose observer this is.
@@ -50,20 +50,20 @@ pub(crate) fn wait<T: Send + 'static>(
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Line) -> T + Send + 'static,
 ) -> PyResult<T> {
-    let hook = hook(py, progress)?;
-    let (told, receiver) = channel();
+    let progress_hook = hook(py, progress)?;
+    let (sender, receiver) = channel();
     let cancel = Arc::new(AtomicBool::new(false));
-    let line = Line { told, cancel: Arc::clone(&cancel) };
+    let line = Line { told: sender, cancel: Arc::clone(&cancel) };
     // The end of the work drops the line, which disconnects the channel.
     let worker = thread::Builder::new().stack_size(STACK).spawn(move || work(&line))?;
-    if let Err(error) = listen(py, hook.as_ref(), receiver) {
+    if let Err(error) = listen(py, progress_hook.as_ref(), receiver) {
         cancel.store(true, Ordering::Relaxed);
         return Err(error);
     }
-    let broken = || PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off");
-    let answer = py.detach(|| worker.join()).map_err(|_| broken())?;
-    if let Some(hook) = hook {
-        let _ = hook.call1(py, (1.0, "done"))?;
+    let broken_off = || PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off");
+    let answer = py.detach(|| worker.join()).map_err(|_| broken_off())?;
+    if let Some(progress_hook) = progress_hook {
+        let _ = progress_hook.call1(py, (1.0, "done"))?;
     }
     Ok(answer)
 }
@@ -93,10 +93,10 @@ fn listen(py: Python<'_>, hook: Option<&Py<PyAny>>, mut receiver: Receiver<(f64,
 
 /// The receiver of progress: for `True` a line on the terminal or in the notebook.
 fn hook(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Py<PyAny>>> {
-    let Some(given) = progress else { return Ok(None) };
-    match given.extract::<bool>() {
+    let Some(object) = progress else { return Ok(None) };
+    match object.extract::<bool>() {
         Ok(false) => Ok(None),
         Ok(true) => py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind())),
-        Err(_) => Ok(Some(given.clone().unbind())),
+        Err(_) => Ok(Some(object.clone().unbind())),
     }
 }

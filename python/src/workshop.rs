@@ -72,27 +72,31 @@ pub(crate) fn rest<'py>(
     place: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(String, usize, f64, f64, f64)> {
     let arguments = options("resume", &embedded::resume_keywords(), place)?;
-    let Resumed { text, line, overlap, done, seconds } =
+    let Resumed { text, line, overlap, done: share, seconds } =
         py.detach(|| embedded::resumed(program, &arguments)).map_err(|failure| of_failure(py, &failure))?;
     if let Some(spec) = spec {
         let clamps = &spec.given.machine.bench.keep_out;
-        let met = clamp_in_the_way(&text, clamps).map_err(|fault| usage(py, fault))?;
-        if let Some(met) = met {
-            let text =
-                format!("line {} of the rest: {}; must be {}", met.line.unwrap_or(0), met.found, met.allowed);
+        let collision = clamp_in_the_way(&text, clamps).map_err(|fault| usage(py, fault))?;
+        if let Some(collision) = collision {
+            let text = format!(
+                "line {} of the rest: {}; must be {}",
+                collision.line.unwrap_or(0),
+                collision.found,
+                collision.allowed
+            );
             return Err(plain(py, "DesignError", "clamp-in-the-way", &text));
         }
     }
-    Ok((text, line, done, overlap, seconds))
+    Ok((text, line, share, overlap, seconds))
 }
 
 /// The built-in machine profiles: name and description.
 #[pyfunction]
 pub(crate) fn machines(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-    let all = PyDict::new(py);
+    let dict = PyDict::new(py);
     for name in builtin_machines() {
         let machine = Machine::builtin(name).map_err(|fault| usage(py, fault))?;
-        all.set_item(name, machine.description)?;
+        dict.set_item(name, machine.description)?;
     }
-    Ok(all)
+    Ok(dict)
 }

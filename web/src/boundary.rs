@@ -25,11 +25,11 @@ unsafe extern "C" {
 }
 
 /// Reports to the page the `part` of the work that is done, 0 to 1, and the current step. Outside of a page it has no effect.
-fn tell(part: f64, what: &str) {
+fn tell(part: f64, step: &str) {
     #[cfg(target_arch = "wasm32")]
-    progress(part, what.as_ptr(), what.len());
+    progress(part, step.as_ptr(), step.len());
     #[cfg(not(target_arch = "wasm32"))]
-    let _ = (part, what);
+    let _ = (part, step);
 }
 
 thread_local! {
@@ -53,9 +53,9 @@ pub extern "C" fn question(length: usize) -> *const u8 {
 pub extern "C" fn ask() -> usize {
     HEARS_PANICS.call_once(|| panic::set_hook(Box::new(|info| keep(&info.to_string()))));
     let question = MAILBOX.with_borrow_mut(|mailbox| std::mem::take(&mut mailbox.question));
-    let answer = answer(Message::from_bytes(&question), tell).into_bytes();
+    let reply = answer(Message::from_bytes(&question), tell).into_bytes();
     MAILBOX.with_borrow_mut(|mailbox| {
-        mailbox.answer = answer;
+        mailbox.answer = reply;
         mailbox.answer.len()
     })
 }

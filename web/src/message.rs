@@ -34,9 +34,9 @@ impl Message {
         let mut files = Vec::new();
         for file in json["files"].as_array().into_iter().flatten() {
             let length = file["bytes"].as_u64().and_then(|length| usize::try_from(length).ok());
-            let (own, others) = length.and_then(|length| rest.split_at_checked(length)).ok_or_else(short)?;
-            files.push((file["name"].as_str().unwrap_or_default().to_owned(), own.to_vec()));
-            rest = others;
+            let (bytes, tail) = length.and_then(|length| rest.split_at_checked(length)).ok_or_else(short)?;
+            files.push((file["name"].as_str().unwrap_or_default().to_owned(), bytes.to_vec()));
+            rest = tail;
         }
         if rest.is_empty() { Ok(Self { json, files }) } else { Err("the question is too long".to_owned()) }
     }

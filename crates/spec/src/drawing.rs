@@ -65,8 +65,8 @@ impl DrawingContent {
     /// Every reason for which it cannot be read.
     pub fn read(&self, name: &str, options: &Options) -> ReadArtwork {
         let anew = || artwork::read(name, &self.bytes, options).map(Arc::new);
-        let (known, read) = self.read.get_or_init(|| (*options, anew()));
-        if known == options { read.clone() } else { anew() }
+        let (options_read, read) = self.read.get_or_init(|| (*options, anew()));
+        if options_read == options { read.clone() } else { anew() }
     }
 }
 
@@ -175,17 +175,17 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
         }
     }
     let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
-    unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
+    refuse_unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
     let load = (
         "no model predicts the force of a drawn shape on an object",
         "delete it; only `pressure` and `chambers` count here",
     );
-    unlike(reader, "load", |key| ["pressure", "chambers"].contains(&key), load);
+    refuse_unlike(reader, "load", |key| ["pressure", "chambers"].contains(&key), load);
     let hole = (
         "only stars have a flap on the hole side",
         "delete it; the holes of a drawing are cut as they are drawn",
     );
-    unlike(reader, "seal", |key| key != "hole_allowance", hole);
+    refuse_unlike(reader, "seal", |key| key != "hole_allowance", hole);
     separator(reader);
     drawing
 }
@@ -199,10 +199,15 @@ fn refuse_chambers(reader: &mut Reader<'_>) {
     reader.faults.push(fault.label("a star has one chamber").help("delete it; `pressure` is the star's"));
 }
 
-/// A fault for each key of `section` that drawings do not have (`has`), with a label and a remedy.
-fn unlike(reader: &mut Reader<'_>, section: &str, has: impl Fn(&str) -> bool, (label, help): (&str, &str)) {
+/// A fault for each key of `section` that drawings do not have (`is_of_drawings`), with a label and a remedy.
+fn refuse_unlike(
+    reader: &mut Reader<'_>,
+    section: &str,
+    is_of_drawings: impl Fn(&str) -> bool,
+    (label, help): (&str, &str),
+) {
     let table = reader.raw.root().get(section).and_then(RawValue::as_table);
-    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !has(&own.key)) {
+    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !is_of_drawings(&own.key)) {
         let message = format!("{} in [{section}] beside [drawing]", quoted(&entry.key));
         let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message);
         reader.faults.push(fault.label(label).help(help));
@@ -214,16 +219,17 @@ fn separator(reader: &mut Reader<'_>) {
     let Some(mask) = reader.raw.root().get("mask") else { return };
     let kind = mask.as_table().and_then(|table| table.get("kind"));
     if kind.is_none_or(|kind| kind.as_text() == Some("coating")) {
-        let found = "a coating mask beside [drawing]";
-        let fault =
-            Fault::error(FaultCode::Conflict, mask.span.clone(), found).label("only stars are coated").help(
+        let problem = "a coating mask beside [drawing]";
+        let fault = Fault::error(FaultCode::Conflict, mask.span.clone(), problem)
+            .label("only stars are coated")
+            .help(
                 "write kind = \"separator\" for paper between the sheets of a heat press, or delete [mask]",
             );
         reader.faults.push(fault);
         return;
     }
     let reason = ("a separator is as large as the air", "delete it; only `kind` and `creep` count here");
-    unlike(reader, "mask", |key| ["kind", "creep"].contains(&key), reason);
+    refuse_unlike(reader, "mask", |key| ["kind", "creep"].contains(&key), reason);
 }
 
 fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {

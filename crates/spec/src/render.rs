@@ -55,22 +55,23 @@ fn render(source: &Source, faults: &[Fault], renderer: &Renderer, width: Option<
         }
     }
     for fault in listed.iter().take(SHOWN) {
-        text.push_str(&one(source, fault, renderer, width));
+        text.push_str(&rendered(source, fault, renderer, width));
         text.push_str("\n\n");
     }
     if !faults.is_empty() {
         text.push_str(&summary(source, faults, listed.len()));
-        let more = alike.iter().filter(|(_, count)| **count > ALIKE);
-        let more: Vec<String> = more.map(|(code, count)| format!("{} more {code}", count - ALIKE)).collect();
-        if !more.is_empty() {
-            let _ = write!(text, "; not shown: {}", more.join(", "));
+        let unlisted = alike.iter().filter(|(_, count)| **count > ALIKE);
+        let rest: Vec<String> =
+            unlisted.map(|(code, count)| format!("{} more {code}", count - ALIKE)).collect();
+        if !rest.is_empty() {
+            let _ = write!(text, "; not shown: {}", rest.join(", "));
         }
         text.push('\n');
     }
     text
 }
 
-fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>) -> String {
+fn rendered(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>) -> String {
     let text = &source.text;
     let tone = match fault.level {
         Severity::Error => Tone::ERROR,
@@ -78,9 +79,10 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
     };
     // Text behind "error[code]: " and behind the longest "  = help: ".
     let head = "warning[]: ".len() + fault.code.len();
-    let title = tone.primary_title(told(&broken(&fault.message, width, head))).id(fault.code);
-    let note =
-        |tone: Tone<'static>, text: &str| tone.message(told(&broken(text, width, MARGIN + "= help: ".len())));
+    let title = tone.primary_title(marked_text(&broken_lines(&fault.message, width, head))).id(fault.code);
+    let note = |tone: Tone<'static>, text: &str| {
+        tone.message(marked_text(&broken_lines(text, width, MARGIN + "= help: ".len())))
+    };
     // A fault of a missing section has no line to show; one of the syntax may be at the end of the last line.
     let is_at_line = fault.code == FaultCode::Syntax.as_str() && !text.is_empty() && !text.ends_with('\n');
     let help = |group: Group<'static>| match &fault.help {
@@ -102,17 +104,17 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
     let line = &line[..boundary(line, (fault.span.start - start).saturating_add(ROOM))];
     let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
     let (start_here, end_here) = (local(fault.span.start), local(fault.span.end));
-    let before = visible(&line[..start_here]);
-    let marked = before.len() + visible(&line[start_here..end_here]).len();
-    let shown = visible(line);
+    let head_of_line = visible(&line[..start_here]);
+    let marked = head_of_line.len() + visible(&line[start_here..end_here]).len();
+    let visible_line = visible(line);
     // Beside the caret is room for a label that ends within the terminal; another one goes below.
-    let column = shown[..marked].chars().count() + MARGIN + 1;
+    let column = visible_line[..marked].chars().count() + MARGIN + 1;
     let fits = width.is_none_or(|width| column + fault.label.chars().count() <= width);
-    let beside = if fits { told(&fault.label) } else { String::new() };
-    let snippet = Snippet::source(shown)
+    let label_beside = if fits { marked_text(&fault.label) } else { String::new() };
+    let snippet = Snippet::source(visible_line)
         .line_start(1 + text[..start].matches('\n').count())
         .path(shown_name(source))
-        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(beside));
+        .annotation(AnnotationKind::Primary.span(head_of_line.len()..marked).label(label_beside));
     let mut group = title.element(snippet);
     if !fits {
         group = group.element(note(Tone::NOTE, &fault.label));
@@ -121,22 +123,22 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
 }
 
 /// `text` broken between words so that, behind `head` columns, no line is wider than `width`; a longer word stays whole.
-fn broken(text: &str, width: Option<usize>, head: usize) -> String {
+fn broken_lines(text: &str, width: Option<usize>, head: usize) -> String {
     let Some(room) = width.map(|width| width.saturating_sub(head)) else { return text.to_owned() };
-    let (mut out, mut column) = (String::new(), 0);
+    let (mut lines, mut column) = (String::new(), 0);
     for word in text.split(' ') {
         let length = word.chars().count();
         if column > 0 && column + 1 + length > room {
-            out.push('\n');
+            lines.push('\n');
             column = 0;
-        } else if !out.is_empty() {
-            out.push(' ');
+        } else if !lines.is_empty() {
+            lines.push(' ');
             column += 1;
         }
-        out.push_str(word);
+        lines.push_str(word);
         column += length;
     }
-    out
+    lines
 }
 
 /// "spec.toml: 2 errors, 1 warning".
@@ -161,7 +163,7 @@ fn visible(text: &str) -> String {
 }
 
 /// The text of a fault, in which misleading characters of the source are marked.
-fn told(text: &str) -> String {
+fn marked_text(text: &str) -> String {
     let mark = |c: char| if misleads(c) && c != '\n' { char::REPLACEMENT_CHARACTER } else { c };
     text.chars().map(mark).collect()
 }
@@ -180,10 +182,10 @@ mod tests {
     fn lines_end_between_words_and_within_the_terminal() {
         let text = "schema = 1\n[star]\npoints = 5\ntip_angle = \"30 deg\"      # a comment that goes on and on, far beyond the right edge\n";
         let source = Source::new("a.toml", text);
-        let at = text.find("\"30").expect("a value");
+        let start = text.find("\"30").expect("a value");
         let message = "a star of 9 points with an inner radius of 50 mm, a tube width of 30 mm and a tip angle of 30 deg has no arms";
         let label = "at most 7 points, an inner radius of at least 81.4 mm, or a tube width of at most 18.2 mm and a tip angle of 60 deg";
-        let fault = Fault::error(FaultCode::Name, at..at + 8, message).label(label).help(label);
+        let fault = Fault::error(FaultCode::Name, start..start + 8, message).label(label).help(label);
         for width in [40, 60, 80, 100] {
             let text = for_terminal(&source, std::slice::from_ref(&fault), Some(width), false);
             let widest = text.lines().map(|line| line.chars().count()).max().expect("lines");
@@ -213,11 +215,11 @@ mod tests {
 
     #[test]
     fn a_line_cannot_command_a_terminal() {
-        let all: String = (0..=0x2100).filter_map(char::from_u32).filter(|c| misleads(*c)).collect();
-        for c in all.chars().filter(|c| *c != '\n') {
+        let misleading: String = (0..=0x2100).filter_map(char::from_u32).filter(|c| misleads(*c)).collect();
+        for c in misleading.chars().filter(|c| *c != '\n') {
             let source = Source::new("a", format!("{c}é = {c}1\n"));
-            let at = source.text.find('1').expect("a digit");
-            let faults = [Fault::error(FaultCode::Name, at..at + 1, "m").label("here")];
+            let digit = source.text.find('1').expect("a digit");
+            let faults = [Fault::error(FaultCode::Name, digit..digit + 1, "m").label("here")];
             let text = plain(&source, &faults);
             let repeated = faults.map(|fault| Fault {
                 message: format!("m{c}"),

@@ -87,8 +87,8 @@ impl<'r> Reader<'r> {
         if let Some(value) = value {
             let _ = self.element(name, value);
         }
-        if let Some(known) = self.known.last_mut().filter(|known| known.section == name) {
-            known.table = None;
+        if let Some(known_section) = self.known.last_mut().filter(|known| known.section == name) {
+            known_section.table = None;
         } else {
             self.known.push(Known { section: name, keys: Vec::new(), table: None });
         }
@@ -152,10 +152,10 @@ impl<'r> Section<'_, 'r> {
         self.table.and_then(|table| table.get(key)).map_or(self.place(), |value| value.span.clone())
     }
 
-    /// The written keys but `except`.
-    pub(super) fn other_keys(&self, except: &str) -> Vec<&'r str> {
+    /// The written keys but `left_out`.
+    pub(super) fn other_keys(&self, left_out: &str) -> Vec<&'r str> {
         let entries = self.table.into_iter().flat_map(|table| &table.0);
-        entries.map(|entry| entry.key.as_str()).filter(|key| *key != except).collect()
+        entries.map(|entry| entry.key.as_str()).filter(|key| *key != left_out).collect()
     }
 
     /// Adds a fault.
@@ -168,10 +168,10 @@ impl<'r> Section<'_, 'r> {
         &mut self,
         code: FaultCode,
         key: &str,
-        found: impl Into<String>,
+        problem: impl Into<String>,
         allowed: impl Into<String>,
     ) {
-        self.report(Fault::error(code, self.place_of(key), found).label(allowed));
+        self.report(Fault::error(code, self.place_of(key), problem).label(allowed));
     }
 
     /// A length within `allowed`, or `default`, mm.
@@ -204,9 +204,9 @@ impl<'r> Section<'_, 'r> {
     /// Allows `word` for `key`, which was taken, as well.
     pub(super) fn or_word(&mut self, key: &'static str, word: &'static str) {
         let name = self.name;
-        let found =
+        let own_shape =
             self.reader.shapes.iter_mut().rfind(|(section, other, _)| (*section, *other) == (name, key));
-        match found {
+        match own_shape {
             Some((_, _, ValueShape::Or(_, words))) => words.push(word),
             Some((_, _, shape)) => *shape = ValueShape::Or(Box::new(shape.clone()), vec![word]),
             None => {}
@@ -216,8 +216,8 @@ impl<'r> Section<'_, 'r> {
     /// The value of `key`, which takes values of `shape`; registers the key.
     pub(super) fn take(&mut self, key: &'static str, shape: ValueShape) -> Option<&'r RawValue> {
         self.reader.shapes.push((self.name, key, shape));
-        if let Some(known) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
-            known.keys.push(key);
+        if let Some(known_section) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
+            known_section.keys.push(key);
         }
         self.table?.get(key)
     }
@@ -227,8 +227,8 @@ impl<'r> Section<'_, 'r> {
         let value = self.take(key, ValueShape::Number(allowed))?;
         let RawKind::Number(number) = &value.kind else {
             let fault = self.wrong_type(key, value, "must be a plain number, without quotes and unit");
-            let meant = plain(value).filter(|number| allowed.contains(*number));
-            self.report(match meant {
+            let quoted_number = plain(value).filter(|number| allowed.contains(*number));
+            self.report(match quoted_number {
                 Some(number) => fault.help(format!("write {key} = {number}")),
                 None => fault,
             });

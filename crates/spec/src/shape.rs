@@ -89,11 +89,12 @@ impl ValueShape {
             Self::Text => return (json!({ "type": "string" }), None),
             Self::Sections => return (json!({ "type": "array" }), None),
             Self::Quantities(kind, allowed) => {
-                let (quantity, told) = Self::Quantity(*kind, *allowed).schema();
+                let (quantity, by_name) = Self::Quantity(*kind, *allowed).schema();
                 let schema = json!({ "type": "object", "additionalProperties": quantity });
                 return (
                     schema,
-                    told.map(|told| format!("By name: {}{}", told[..1].to_lowercase(), &told[1..])),
+                    by_name
+                        .map(|by_name| format!("By name: {}{}", by_name[..1].to_lowercase(), &by_name[1..])),
                 );
             }
             Self::Lists(words) => {

@@ -29,8 +29,8 @@ pub(super) fn faults(errors: &[toml::de::Error], text: &str) -> Vec<Fault> {
     if errors.len() >= FLOOD {
         faults.truncate(REPORTED);
         if let Some(last) = faults.last_mut() {
-            let more = errors.len() - REPORTED;
-            last.help = Some(format!("there are {more} more syntax errors: is this the right file?"));
+            let rest = errors.len() - REPORTED;
+            last.help = Some(format!("there are {rest} more syntax errors: is this the right file?"));
         }
     }
     faults

@@ -24,15 +24,15 @@ use crate::question::{Tell, text};
 /// # Errors
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
-    let given = Given::of(question, files)?;
+    let loaded = Given::of(question, files)?;
     let (forecast, mut answer, mut faults) =
-        judged(&given, text(question, "model").and_then(model), Some(tell))?;
-    let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
+        judged(&loaded, text(question, "model").and_then(model), Some(tell))?;
+    let sources = Sources { spec: &loaded.source.text, machine: &loaded.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &request(question));
     let files = if question["prove"] == false || !is_taken {
-        let shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
-        let files = built.artifacts.into_iter().filter(|file| is_taken || shown(file.output.kind));
+        let is_shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
+        let files = built.artifacts.into_iter().filter(|file| is_taken || is_shown(file.output.kind));
         files.map(|file| (file.name, file.bytes)).collect()
     } else {
         proven(built, &mut faults, &mut answer)
@@ -47,9 +47,9 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -
 /// # Errors
 /// The answer without an overview, if the spec is refused.
 pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
-    let given = Given::of(question, files)?;
-    let drawing = picture::drawing(&given.reading.spec);
-    match judged(&given, None, None) {
+    let loaded = Given::of(question, files)?;
+    let drawing = picture::drawing(&loaded.reading.spec);
+    match judged(&loaded, None, None) {
         Ok((forecast, mut answer, faults)) => {
             answer["faults"] = faults.into();
             answer["sheets"] = picture::sheets(&forecast);
@@ -68,14 +68,14 @@ pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Valu
 /// # Errors
 /// The answer without an overview, if the design is refused.
 fn judged(
-    given: &Given,
+    loaded: &Given,
     model: Option<ModelChoice>,
     tell: Option<Tell>,
 ) -> Result<(Forecast, Value, Vec<Value>), Value> {
-    let Given { source, reading, .. } = given;
+    let Given { source, reading, .. } = loaded;
     let mut answer = json!({ "name": reading.spec.name, "settings": form_settings(source) });
     let mut faults = listed(&reading.warnings);
-    let forecast = match forecast(given, model, tell) {
+    let forecast = match forecast(loaded, model, tell) {
         Ok(forecast) => forecast,
         Err(refusals) => {
             faults.extend(of_design(source, reading, refusals));
@@ -83,7 +83,7 @@ fn judged(
             return Err(answer);
         }
     };
-    let sources = Sources { spec: &source.text, machine: &given.machine_text };
+    let sources = Sources { spec: &source.text, machine: &loaded.machine_text };
     faults.extend(of_warnings(source, reading, &forecast.warnings(sources)));
     answer["overview"] = overview(&forecast);
     let unfit = of_design(source, reading, forecast.unfit());
@@ -93,8 +93,8 @@ fn judged(
 }
 
 /// The forecast of the gripper by the spec's model or `model`, whose progress `tell` receives; without `tell` it leaves out a shell model, which takes seconds.
-fn forecast(given: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Result<Forecast, Refusals> {
-    let mut spec = given.reading.spec.clone();
+fn forecast(loaded: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Result<Forecast, Refusals> {
+    let mut spec = loaded.reading.spec.clone();
     if let Some(model) = model {
         spec.accuracy.model = model;
     }
@@ -107,7 +107,7 @@ fn forecast(given: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Re
         }
     };
     let watch = Watch { progress: Some(&progress), ..Watch::default() };
-    Planned::new(spec, given.machine.clone())?.forecast(&watch)
+    Planned::new(spec, loaded.machine.clone())?.forecast(&watch)
 }
 
 /// The files, if they agree with the design; if not, that is a fault of this program.
@@ -131,8 +131,8 @@ fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(Str
 fn overview(forecast: &Forecast) -> Value {
     let mut overview = overview_json(forecast, &forecast.precautions("spec.toml"));
     // The page computes the shell of a drawing when it is asked to: where it was not, there is nothing to tell.
-    let drawn = verdict::of_drawing(forecast).into_iter().filter(|(label, _)| *label != "predicts");
-    let rows = verdict::rows(forecast).into_iter().chain(drawn);
+    let of_drawing = verdict::of_drawing(forecast).into_iter().filter(|(label, _)| *label != "predicts");
+    let rows = verdict::rows(forecast).into_iter().chain(of_drawing);
     overview["rows"] = rows.map(|(label, text)| json!([label, text])).collect();
     overview
 }

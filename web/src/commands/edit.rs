@@ -13,11 +13,11 @@ use crate::question::{text, wrong};
 /// # Errors
 /// If there is no such key, or the text cannot be changed.
 pub(super) fn edit(question: &Value) -> Result<Value, Value> {
-    let source = source(question)?;
+    let spec_source = source(question)?;
     let name = text(question, "key").unwrap_or_default();
     let key = key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")))?;
-    let spec =
-        text_edit::edited(&source, &[(key, text(question, "value"))]).map_err(|faults| refused(&faults))?;
+    let spec = text_edit::edited(&spec_source, &[(key, text(question, "value"))])
+        .map_err(|faults| refused(&faults))?;
     Ok(json!({ "spec": spec }))
 }
 
@@ -26,12 +26,12 @@ pub(super) fn edit(question: &Value) -> Result<Value, Value> {
 /// # Errors
 /// If there is no such role, or the spec is refused.
 pub(super) fn role(question: &Value) -> Result<Value, Value> {
-    let source = source(question)?;
+    let spec_source = source(question)?;
     let (layer, word) =
         (text(question, "layer").unwrap_or_default(), text(question, "role").unwrap_or_default());
     let role = LayerRole::ALL.iter().find(|(known, _)| *known == word).map(|(_, role)| *role);
     let role = role.ok_or_else(|| wrong(format!("no role is called {word:?}")))?;
-    let reading = spec::read(&source).map_err(|faults| refused(&faults))?;
+    let reading = spec::read(&spec_source).map_err(|faults| refused(&faults))?;
     let drawing = reading.spec.drawing.ok_or_else(|| wrong("the spec has no drawing"))?;
     let mut layers = drawing.layers;
     match layers.iter_mut().find(|(name, _)| name == layer) {
@@ -44,7 +44,7 @@ pub(super) fn role(question: &Value) -> Result<Value, Value> {
         (!names.is_empty()).then(|| format!("{word} = {}", json!(names)))
     });
     let value = format!("{{ {} }}", lists.collect::<Vec<_>>().join(", "));
-    let edited = text_edit::edited(&source, &[(key::drawing::LAYERS, Some(&value))]);
+    let edited = text_edit::edited(&spec_source, &[(key::drawing::LAYERS, Some(&value))]);
     Ok(json!({ "spec": edited.map_err(|faults| refused(&faults))? }))
 }
 
@@ -55,7 +55,7 @@ mod tests {
     #[test]
     fn a_layer_changes_its_role_and_the_others_stay() {
         let spec = "schema = 1\nname = \"x\"\n# mine\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"b\", \"c\"]\n";
-        let with = |layer: &str, role: &str| role_of(spec, layer, role);
+        let with_role = |layer: &str, role: &str| role_of(spec, layer, role);
         for (layer, word, lists) in [
             ("b", "ignore", r#"layers = { air = ["a"], port = ["c"], ignore = ["b"] }"#),
             ("a", "port", r#"layers = { port = ["a", "b", "c"] }"#),
@@ -65,10 +65,10 @@ mod tests {
                 r#"layers = { air = ["a"], seam = ["a \"new\" one"], port = ["b", "c"] }"#,
             ),
         ] {
-            let text = with(layer, word).expect(word);
+            let text = with_role(layer, word).expect(word);
             assert!(text.contains(lists) && text.contains("# mine"), "{text}");
         }
-        assert!(with("a", "glue").is_err());
+        assert!(with_role("a", "glue").is_err());
     }
 
     fn role_of(spec: &str, layer: &str, role: &str) -> Result<String, Value> {

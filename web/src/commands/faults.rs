@@ -11,7 +11,7 @@ use stargrip_cam::spec::{Fault, Faults, Reading, Severity, Source};
 pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let text = &faults.source().text;
     let units = |end: usize| text[..end].encode_utf16().count();
-    let one = |fault: &Fault| {
+    let page_fault = |fault: &Fault| {
         let mut value = fault_json(faults, fault);
         let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
         value["warning"] = json!(fault.level == Severity::Warning);
@@ -19,7 +19,7 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
         value["place"] = json!([units(fault.span.start), units(fault.span.end)]);
         value
     };
-    faults.list().iter().map(one).collect()
+    faults.list().iter().map(page_fault).collect()
 }
 
 /// The answer to a question whose texts have `faults`.

@@ -9,7 +9,7 @@ use crate::question::text;
 const LONGEST_DRAWING: usize = 1 << 15;
 
 /// What the link of a question shall hold.
-fn held<'q>(question: &'q Value, files: &'q [(String, Vec<u8>)]) -> LinkedSpec<'q> {
+fn linked_spec<'q>(question: &'q Value, files: &'q [(String, Vec<u8>)]) -> LinkedSpec<'q> {
     let drawing = files.first().map(|(name, bytes)| (name.as_str(), bytes.as_slice()));
     LinkedSpec {
         spec: text(question, "spec").unwrap_or_default(),
@@ -20,16 +20,16 @@ fn held<'q>(question: &'q Value, files: &'q [(String, Vec<u8>)]) -> LinkedSpec<'
 
 /// The `fragment` of the link; `is_long` if it does not hold the drawing, which would be too long for it.
 pub(super) fn link(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
-    let held = held(question, files);
-    let (whole, bare) = (held.fragment(), LinkedSpec { drawing: None, ..held }.fragment());
-    let is_long = whole.len() - bare.len() > LONGEST_DRAWING;
-    json!({ "fragment": if is_long { bare } else { whole }, "is_long": is_long })
+    let linked = linked_spec(question, files);
+    let (full, bare) = (linked.fragment(), LinkedSpec { drawing: None, ..linked }.fragment());
+    let is_long = full.len() - bare.len() > LONGEST_DRAWING;
+    json!({ "fragment": if is_long { bare } else { full }, "is_long": is_long })
 }
 
 /// The code of the link to the page at `address`: its `side` in modules with the quiet zone, and the `path` of its dark modules, in words of
 /// SVG. Nothing of both if the link is too long for a code.
 pub(super) fn qr(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
-    let code = held(question, files).code(text(question, "address").unwrap_or_default());
+    let code = linked_spec(question, files).code(text(question, "address").unwrap_or_default());
     code.map_or_else(|| json!({}), |code| json!({ "side": code.side(), "path": code.svg_path() }))
 }
 

@@ -41,8 +41,8 @@ pub fn answer(question: Result<Message, String>, tell: Tell) -> Message {
 /// The answer, or another one without files, that names the faults.
 fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
     let Message { json: question, files } = question;
-    let asked = text(&question, "ask").ok_or_else(|| wrong("the question has no `ask`"))?;
-    let answer = match asked {
+    let word = text(&question, "ask").ok_or_else(|| wrong("the question has no `ask`"))?;
+    let answer = match word {
         "start" => start::start(),
         "explain" => start::explain(&question),
         "link" => link::link(&question, &files),
@@ -55,7 +55,7 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
         "role" => edit::role(&question)?,
-        _ => return Err(wrong(format!("unknown question {asked:?}"))),
+        _ => return Err(wrong(format!("unknown question {word:?}"))),
     };
     Ok(Message::of(answer))
 }

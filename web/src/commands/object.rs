@@ -22,13 +22,13 @@ pub(super) fn new(question: &Value) -> Result<Value, Value> {
         return Err(fields(&wrong_values));
     }
     let starter = spec::starter("base").map_err(wrong)?;
-    let base = base(starter, field(question, "machine"), size).map_err(|faults| refused(&faults))?;
-    let machine = Machine::builtin(&base.machine.profile).map_err(wrong)?;
-    Ok(match request.gripper(name, &base, &machine) {
+    let base_spec = base(starter, field(question, "machine"), size).map_err(|faults| refused(&faults))?;
+    let machine = Machine::builtin(&base_spec.machine.profile).map_err(wrong)?;
+    Ok(match request.gripper(name, &base_spec, &machine) {
         Ok(made) => json!({ "spec": made.text, "in_words": made.in_words(), "chosen": made.json() }),
         Err(NoGripper::Fault(why)) => json!({ "reasons": [why] }),
         Err(NoGripper::Infeasible(reasons, nearest)) => {
-            let nearest = nearest.first().map(|nearest| near(&nearest.requirements));
+            let nearest = nearest.first().map(|nearest| near_fields(&nearest.requirements));
             json!({ "reasons": reasons, "nearest": nearest })
         }
     })
@@ -46,7 +46,7 @@ fn fields(wrong: &[WrongValue]) -> Value {
 }
 
 /// The fields of a request with the requirements `eased`.
-fn near(eased: &Requirements) -> Value {
+fn near_fields(eased: &Requirements) -> Value {
     let sheet = eased.room.sheet.iter().all(|side| side.0.is_finite());
     let sheet = sheet.then(|| eased.room.sheet.map(|side| side.0.to_string()).join("x"));
     json!({

@@ -14,7 +14,7 @@ use stargrip_cam::spec::{LayerRole, Spec};
 const WITHIN: f64 = 0.02;
 
 /// The point as a picture has it whose upper edge lies at `top`.
-fn seen(point: Point, top: f64) -> [f64; 2] {
+fn picture_point(point: Point, top: f64) -> [f64; 2] {
     [point.x, top - point.y].map(|length| (length * 100.0).round() / 100.0 + 0.0)
 }
 
@@ -23,7 +23,7 @@ fn words(path: &Path, top: f64) -> String {
     let corners: Vec<String> = chords(path, WITHIN)
         .into_iter()
         .map(|point| {
-            let [x, y] = seen(point, top);
+            let [x, y] = picture_point(point, top);
             format!("{x} {y}")
         })
         .collect();
@@ -45,7 +45,7 @@ fn piece(forecast: &Forecast, placed: &PlacedPart, top: f64) -> Value {
     let part = forecast.design.part(placed);
     let (shape, cut) = (part.shape(), part.cut(CutEdge::Part));
     let lay = |path: &Path| words(&placed.placement.path(path), top);
-    let place = |point: Point| seen(placed.placement.point(point), top);
+    let place = |point: Point| picture_point(placed.placement.point(point), top);
     let holes = cut.holes.iter().map(|hole| json!([place(hole.center), hole.diameter]));
     let seams = (1..).zip(&shape.seams).map(|(order, own)| seam(forecast, placed, own, order, top));
     json!({
@@ -70,8 +70,8 @@ fn seam(forecast: &Forecast, placed: &PlacedPart, seam: &Seam, order: usize, top
         "name": seam.name,
         "order": order,
         "path": words(&line, top),
-        "start": line.start().map(|point| seen(point, top)),
-        "middle": line.point_at(0.5 * line.length()).map(|point| seen(point, top)),
+        "start": line.start().map(|point| picture_point(point, top)),
+        "middle": line.point_at(0.5 * line.length()).map(|point| picture_point(point, top)),
         "length_mm": line.length(),
         "time_s": report.map(|report| report.time),
     })
@@ -84,7 +84,7 @@ pub(super) fn drawing(spec: &Spec) -> Value {
         return Value::Null;
     }
     let bounds = figures.iter().map(|figure| figure.path.bounds()).fold(Bounds::EMPTY, Bounds::union);
-    let [x, y] = seen(Point::new(bounds.min.x, bounds.max.y), 0.0);
+    let [x, y] = picture_point(Point::new(bounds.min.x, bounds.max.y), 0.0);
     let figures = figures.iter().map(|figure| {
         json!({
             "id": figure.id, "layers": figure.layers, "layer": figure.layer,

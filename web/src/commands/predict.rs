@@ -22,35 +22,35 @@ const DETAIL: Detail = Detail::Coarse;
 /// # Errors
 /// The answer with the faults.
 pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Value, Value> {
-    let given = Given::of(question, files)?;
-    let mut spec = given.reading.spec.clone();
+    let loaded = Given::of(question, files)?;
+    let mut spec = loaded.reading.spec.clone();
     if let Some(model) = text(question, "model").and_then(model) {
         spec.accuracy.model = model;
     }
     let refused =
-        |refusals: Refusals| json!({ "faults": of_design(&given.source, &given.reading, refusals) });
-    let design = Design::new(&spec, &given.machine).map_err(refused)?;
+        |refusals: Refusals| json!({ "faults": of_design(&loaded.source, &loaded.reading, refusals) });
+    let design = Design::new(&spec, &loaded.machine).map_err(refused)?;
     let (text, prediction) = answer(&spec, &design, tell).map_err(|refusal| match refusal {
         ShellRefusal::Fault(fault) => refused(no_prediction(&fault).into()),
         // The page stops a shell by ending its worker.
         ShellRefusal::Cancelled => wrong("the shell was stopped"),
     })?;
-    Ok(json!({ "faults": listed(&given.reading.warnings), "text": text, "prediction": prediction }))
+    Ok(json!({ "faults": listed(&loaded.reading.warnings), "text": text, "prediction": prediction }))
 }
 
 /// The prediction as text and as JSON.
 fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), ShellRefusal> {
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
     if let Some(pieces) = design.drawn() {
-        let found = drawn::inflate(spec, pieces, DETAIL, &watch)?.prediction;
-        return Ok((drawn::text::text(spec, &found, false), json!(found)));
+        let prediction = drawn::inflate(spec, pieces, DETAIL, &watch)?.prediction;
+        return Ok((drawn::text::text(spec, &prediction, false), json!(prediction)));
     }
-    let found = if spec.accuracy.model == ModelChoice::Shell {
+    let prediction = if spec.accuracy.model == ModelChoice::Shell {
         star::predict((spec, design), &[], DETAIL, &watch)?.0
     } else {
         predicted(spec, design).map_err(ShellRefusal::Fault)?
     };
-    Ok((report::text(spec, &found, false), json!(found)))
+    Ok((report::text(spec, &prediction, false), json!(prediction)))
 }
 
 /// The model of this name, as in a spec.

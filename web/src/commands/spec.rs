@@ -25,8 +25,8 @@ pub(super) struct Given {
 
 /// The text `spec` of a question.
 pub(super) fn source(question: &Value) -> Result<Source, Value> {
-    let text = text(question, "spec").unwrap_or_default();
-    Source::from_bytes(NAME, text.as_bytes()).map_err(|faults| refused(&faults))
+    let spec_text = text(question, "spec").unwrap_or_default();
+    Source::from_bytes(NAME, spec_text.as_bytes()).map_err(|faults| refused(&faults))
 }
 
 impl Given {
@@ -36,26 +36,26 @@ impl Given {
     /// # Errors
     /// The answer with all faults of either.
     pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Value> {
-        let source = source(question)?;
-        let reading = spec::read(&source).and_then(|reading| with_drawing(&source, reading, files));
+        let spec_source = source(question)?;
+        let reading = spec::read(&spec_source).and_then(|reading| with_drawing(&spec_source, reading, files));
         let reading = reading.map_err(|faults| refused(&faults))?;
         let name = &reading.spec.machine.profile;
-        let own = || text(question, "machine");
-        let Some(profile) = spec::builtin_machine(name).or_else(own).map(str::to_owned) else {
-            return Err(refused(&Faults::new(&source, vec![unknown(&reading)])));
+        let own_profile = || text(question, "machine");
+        let Some(profile) = spec::builtin_machine(name).or_else(own_profile).map(str::to_owned) else {
+            return Err(refused(&Faults::new(&spec_source, vec![unknown(&reading)])));
         };
         let profile = Source::from_bytes("machine.toml", profile.as_bytes());
         let machine = profile.and_then(|profile| Ok((spec::read_machine(&profile)?, profile)));
         let (machine, profile) = machine.map_err(|faults| refused(&faults))?;
-        Ok(Self { source, reading, machine, machine_text: profile.text })
+        Ok(Self { source: spec_source, reading, machine, machine_text: profile.text })
     }
 }
 
 /// The reading with its drawing, under the name in the spec or that of a published directory.
 fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) -> Result<Reading, Faults> {
     let Some(drawing) = &reading.spec.drawing else { return Ok(reading) };
-    let own = drawing.file_name();
-    let mut named = files.iter().filter(|(name, _)| name == own || name == drawing.published_name());
+    let file_name = drawing.file_name();
+    let mut named = files.iter().filter(|(name, _)| name == file_name || name == drawing.published_name());
     if let Some((_, bytes)) = named.next() {
         return Ok(reading.with_drawing(bytes));
     }
@@ -63,7 +63,7 @@ fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) 
     let fault = Fault::error(
         RefusalCode::DrawingUnread,
         place,
-        format!("the page does not have the drawing {own:?}"),
+        format!("the page does not have the drawing {file_name:?}"),
     )
     .label("a drawing that was dropped on the page")
     .help("drop the drawing's file on the page");
@@ -73,14 +73,14 @@ fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) 
 /// The fault of a profile that is neither built in nor given.
 fn unknown(reading: &Reading) -> Fault {
     let name = &reading.spec.machine.profile;
-    let known: Vec<&str> = spec::builtin_machines().collect();
+    let builtin_names: Vec<&str> = spec::builtin_machines().collect();
     let place = reading.raw.span_of(key::machine::PROFILE);
     let fault = Fault::error(
         FaultCode::UnknownMachine,
         place,
         "no built-in machine profile has this name, and a page opens no files",
     )
-    .label(format!("a built-in profile: {}", known.join(", ")));
+    .label(format!("a built-in profile: {}", builtin_names.join(", ")));
     match spec::usual_profile(name) {
         Some((controller, profile)) => {
             fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))

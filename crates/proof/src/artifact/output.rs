@@ -281,9 +281,9 @@ impl Output {
     /// The same for each paper that takes it, or with `fits` false for each that does not.
     fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
-        let chosen =
+        let has_room =
             move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.has_room_for(drawing) == fits);
-        Paper::ALL.into_iter().filter(chosen).map(move |paper| Self { paper: Some(paper), ..self })
+        Paper::ALL.into_iter().filter(has_room).map(move |paper| Self { paper: Some(paper), ..self })
     }
 }
 
@@ -299,19 +299,19 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindReq
 
 /// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
 pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
-    let mut out = all(spec, Dialect::Generic, design, request, false);
-    out.retain(|output| output.paper.is_some());
-    out
+    let mut outputs = all(spec, Dialect::Generic, design, request, false);
+    outputs.retain(|output| output.paper.is_some());
+    outputs
 }
 
 /// All files of `design`: with `fits` as they are written, else with those on paper that are not.
 fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
-    let mut out = vec![Output::new(Kind::Spec), Output::new(Kind::Machine)];
+    let mut outputs = vec![Output::new(Kind::Spec), Output::new(Kind::Machine)];
     if let Some(drawing) = &spec.drawing {
-        out.push(Output::new(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
+        outputs.push(Output::new(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
     }
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
-        programs(spec, dialect, design, kind, &mut out);
+        programs(spec, dialect, design, kind, &mut outputs);
     }
     let of_sheet = [
         Kind::SealSvg,
@@ -324,14 +324,14 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     ];
     for sheet in &design.sheets {
         let of_kind = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
-        out.extend(of_sheet.map(of_kind));
+        outputs.extend(of_sheet.map(of_kind));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
             let outlines = [Kind::OutlineSvg, Kind::OutlineDxf, Kind::OutlinePdf];
-            out.extend(outlines.map(|kind| Output { valves: true, ..of_kind(kind) }));
+            outputs.extend(outlines.map(|kind| Output { valves: true, ..of_kind(kind) }));
         }
     }
     if let Some(assembly) = design.assembly() {
-        of_assembly(spec, assembly, &mut out);
+        of_assembly(spec, assembly, &mut outputs);
     }
     // Equal copies have one separator.
     for first in design.firsts() {
@@ -340,14 +340,14 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
                 part: OutputPart::Piece { piece: first.index, sheet: None },
                 ..Output::new(kind)
             };
-            out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
+            outputs.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
         }
     }
     if spec.load.is_some() {
-        out.push(Output::new(Kind::Prediction));
+        outputs.push(Output::new(Kind::Prediction));
     }
-    out.extend([Kind::SceneGlb, Kind::Report].map(Output::new));
-    out.retain(|output| request.includes(output.kind));
+    outputs.extend([Kind::SceneGlb, Kind::Report].map(Output::new));
+    outputs.retain(|output| request.includes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf => output.on_paper(design, fits).collect(),
         Format::Toml
@@ -360,49 +360,49 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         | Format::Glb
         | Format::Html => vec![output],
     };
-    out.into_iter().flat_map(on_paper).collect()
+    outputs.into_iter().flat_map(on_paper).collect()
 }
 
 /// The programs of one kind: one a sheet, or one a star or piece.
-fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
+fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, outputs: &mut Vec<Output>) {
     let of_part = |part| Output { part, ngc: dialect == Dialect::LinuxCnc, ..Output::new(kind) };
     match (spec.machine.program, design.assembly()) {
         (ProgramScope::Sheet, _) => {
-            out.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
+            outputs.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
         }
         (ProgramScope::Piece, Some(assembly)) => {
             let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
-            out.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
+            outputs.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
         }
         (ProgramScope::Piece, None) => {
             let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
-            out.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
+            outputs.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
         }
     }
 }
 
 /// The masks and plates of a gripper.
-fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
+fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) {
     for placed in assembly.firsts() {
         let tiles = &assembly.part(placed).tiles;
         // Also for the other face, if the spec requests it.
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
             let part = OutputPart::Star { star: placed.index, sheet: None };
             let of_mask = |kind| Output { part, mirrored, ..Output::new(kind) };
-            out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
+            outputs.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
             if tiles.are_several() {
                 let tile = |number| Output { tile: Some(number), ..of_mask(Kind::MaskStl) };
-                out.extend((1..=tiles.tiles.len()).map(tile));
-                out.push(of_mask(Kind::PiecesSvg));
+                outputs.extend((1..=tiles.tiles.len()).map(tile));
+                outputs.push(of_mask(Kind::PiecesSvg));
             } else {
-                out.push(of_mask(Kind::MaskStl));
+                outputs.push(of_mask(Kind::MaskStl));
             }
-            out.push(of_mask(Kind::MaskPdf));
+            outputs.push(of_mask(Kind::MaskPdf));
         }
     }
     for plate in &assembly.frame.plates {
         let Some(lowest) = plate.numbers.first() else { continue };
         let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
-        out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
+        outputs.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
     }
 }

@@ -20,34 +20,35 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
     if draws || arcs != Some(true) {
         return arcs.unwrap_or(draws);
     }
-    let found = format!("`arcs` is true, but G2 and G3 are options of {}", dialect.title());
+    let problem = format!("`arcs` is true, but G2 and G3 are options of {}", dialect.title());
     let allowed = "must be false for this dialect: the program cuts arcs into chords";
-    root.refuse(FaultCode::Conflict, "arcs", found, allowed);
+    root.refuse(FaultCode::Conflict, "arcs", problem, allowed);
     false
 }
 
 /// Reports a profile whose controller is to heat, by a word that it does not read.
 pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: Heating) {
     if heating == Heating::Hotend && Vocabulary::for_dialect(dialect).command(b'M', 109.0).is_none() {
-        let found = format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
-        root.refuse(FaultCode::Conflict, "heating", found, "must be \"operator\" for this dialect");
+        let problem =
+            format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
+        root.refuse(FaultCode::Conflict, "heating", problem, "must be \"operator\" for this dialect");
     }
 }
 
-/// The unit of P in G4 on a controller of `dialect`. A profile with another one `written` is refused.
+/// The unit of P in G4 on a controller of `dialect`. A profile with another one `stated` is refused.
 pub(super) fn check_dwell_unit(
     dwell: &mut Section<'_, '_>,
     dialect: Dialect,
-    written: Option<DwellUnit>,
+    stated: Option<DwellUnit>,
 ) -> DwellUnit {
     let (unit, name, words) = match dialect.family() {
         DialectFamily::Printer => (DwellUnit::Milliseconds, "ms", "milliseconds"),
         DialectFamily::Plain | DialectFamily::Mill => (DwellUnit::Seconds, "s", "seconds"),
     };
-    if written.is_some_and(|written| written != unit) {
-        let found =
+    if stated.is_some_and(|stated| stated != unit) {
+        let problem =
             format!("`unit` is not {words}, in which controllers of `{}` read G4's P", dialect.name());
-        dwell.refuse(FaultCode::Conflict, "unit", found, format!("must be \"{name}\" for this dialect"));
+        dwell.refuse(FaultCode::Conflict, "unit", problem, format!("must be \"{name}\" for this dialect"));
     }
     unit
 }
@@ -60,19 +61,19 @@ pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], contr
     let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));
     // Other modes a controller keeps from the program before.
     let fixed = Vocabulary::for_dialect(controller.dialect).fixed;
-    let needed =
+    let required =
         MODES.iter().filter(|(mode, .., for_arcs)| !fixed.contains(mode) && (controller.arcs || !for_arcs));
-    let missing: Vec<_> = needed.filter(|(_, word, ..)| !is_set(word)).collect();
+    let missing: Vec<_> = required.filter(|(_, word, ..)| !is_set(word)).collect();
     if missing.is_empty() {
         return;
     }
-    let what: Vec<&str> = missing.iter().map(|(_, _, what, _)| *what).collect();
+    let meanings: Vec<&str> = missing.iter().map(|(_, _, what, _)| *what).collect();
     let words: Vec<String> = missing.iter().map(|(_, word, ..)| format!("\"{word}\"")).collect();
     let only_arcs = missing.iter().all(|(.., for_arcs)| *for_arcs);
-    let or = if only_arcs { "; or write `arcs = false`" } else { "" };
-    let found = format!("`start` does not set {}", what.join(", "));
-    let allowed = format!("must hold {}{or}", words.join(", "));
-    program.refuse(FaultCode::ProgramLine, "start", found, allowed);
+    let alternative = if only_arcs { "; or write `arcs = false`" } else { "" };
+    let problem = format!("`start` does not set {}", meanings.join(", "));
+    let allowed = format!("must hold {}{alternative}", words.join(", "));
+    program.refuse(FaultCode::ProgramLine, "start", problem, allowed);
 }
 
 /// The words of a line of code, in capital letters.

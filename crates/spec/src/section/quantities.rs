@@ -58,8 +58,8 @@ impl Section<'_, '_> {
                     let base = format!("{} {}", Readable(number), kind.unit());
                     // Far out of every range the number in the base unit only adds digits.
                     let is_plain = base == text.trim() || number.abs() > 1e9;
-                    let same = if is_plain { String::new() } else { format!(", that is {base}") };
-                    let message = format!("`{key}` is {}{same}", quoted(text));
+                    let base_text = if is_plain { String::new() } else { format!(", that is {base}") };
+                    let message = format!("`{key}` is {}{base_text}", quoted(text));
                     Fault::error(FaultCode::OutOfRange, value.span.clone(), message)
                         .label(allowed.in_words(kind.unit()))
                 }
@@ -85,13 +85,13 @@ impl Section<'_, '_> {
     /// Two lengths within `allowed` with an x between, the unit after each or after both: "220 mm x 220 mm"; `None` if
     /// it is absent or faulty.
     pub(crate) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
-        let (whole, span) = self.word(key, ValueShape::Area(allowed))?;
-        let told = |message: String| {
+        let (area_text, span) = self.word(key, ValueShape::Area(allowed))?;
+        let fault_at = |message: String| {
             let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
             Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
         };
-        let Some((width, depth)) = whole.split_once(['x', '\u{d7}']) else {
-            self.report(told(format!("`{key}` is {}", quoted(whole))));
+        let Some((width, depth)) = area_text.split_once(['x', '\u{d7}']) else {
+            self.report(fault_at(format!("`{key}` is {}", quoted(area_text))));
             return None;
         };
         let unit = depth.trim_start_matches(|c: char| c.is_ascii_digit() || " .+-".contains(c));
@@ -99,7 +99,7 @@ impl Section<'_, '_> {
             Err(QuantityFault::NoUnit) => format!("{} {unit}", width.trim()),
             _ => width.trim().to_owned(),
         };
-        let both = [width.as_str(), depth.trim()].map(|text| match Length::parse(text) {
+        let lengths = [width.as_str(), depth.trim()].map(|text| match Length::parse(text) {
             Ok(found) if allowed.contains(found.base()) => Ok(found),
             Ok(_) => {
                 let message = format!("`{key}` is {}", quoted(text));
@@ -110,13 +110,13 @@ impl Section<'_, '_> {
                 let unitless = |side: &str| matches!(Length::parse(side), Err(QuantityFault::NoUnit));
                 let sides = [width.trim(), depth.trim()]
                     .map(|side| if unitless(side) { format!("{side} mm") } else { side.to_owned() });
-                let fault = told(format!("`{key}` is {}, without a unit", quoted(whole)));
+                let fault = fault_at(format!("`{key}` is {}, without a unit", quoted(area_text)));
                 let help = format!("write for instance: {key} = \"{}\"", sides.join(" x "));
                 Err(Fault { code: FaultCode::NoUnit.as_str(), ..fault.help(help) })
             }
             Err(reason) => Err(malformed(Length::KIND, key, text, &reason, span.clone())),
         });
-        match both {
+        match lengths {
             [Ok(width), Ok(depth)] => Some([width, depth]),
             // One fault is enough: both are of one key.
             [Err(fault), _] | [_, Err(fault)] => {

@@ -76,9 +76,9 @@ impl Axis {
 
 /// The message for a key that no study can set.
 fn unknown(name: &str) -> String {
-    let known = || Field::names().collect::<Vec<_>>().join(", ");
+    let field_names = || Field::names().collect::<Vec<_>>().join(", ");
     let hint = Field::nearest_name(name)
-        .map_or_else(|| format!("these can: {}", known()), |near| format!("did you mean `{near}`?"));
+        .map_or_else(|| format!("these can: {}", field_names()), |near| format!("did you mean `{near}`?"));
     format!("`{name}` is not a key of a spec that can be varied; {hint}")
 }
 
@@ -96,9 +96,9 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
     if count.is_empty() || count.contains(|c: char| !c.is_ascii_digit()) {
         return Err(format!("`{count}` is not a number of values; {allowed}"));
     }
-    let known = count.parse().ok().filter(|count| (1..=MOST_VALUES).contains(count));
-    let count = known.ok_or_else(|| format!("{count} values; {allowed}"))?;
-    let [from, to] = between(field, ends)?;
+    let valid_count = count.parse().ok().filter(|count| (1..=MOST_VALUES).contains(count));
+    let count = valid_count.ok_or_else(|| format!("{count} values; {allowed}"))?;
+    let [from, to] = ends_of(field, ends)?;
     if count == 1 && from != to {
         return Err(format!(
             "`{text}` has two ends and takes 1 value; take 2 or more, or write one end alone"
@@ -116,7 +116,7 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
 }
 
 /// Reads `FROM..TO`.
-pub(super) fn between(field: &Field, text: &str) -> Result<[f64; 2], String> {
+pub(super) fn ends_of(field: &Field, text: &str) -> Result<[f64; 2], String> {
     if !field.is_number() {
         return Err(format!("`{}` takes no numbers: list its values", field.key()));
     }
@@ -178,9 +178,10 @@ impl RandomSample {
 
     /// Value number `i`, from 0.
     pub fn value(&self, i: u64) -> f64 {
-        let own = unit(mixed(&[self.seed, self.key, i]));
+        let unit_value = unit(mixed(&[self.seed, self.key, i]));
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9")]
-        let part = if self.latin { (self.stratum(i) as f64 + own) / self.count as f64 } else { own };
+        let part =
+            if self.latin { (self.stratum(i) as f64 + unit_value) / self.count as f64 } else { unit_value };
         if self.whole {
             (self.from + (part * (self.to - self.from + 1.0)).floor()).min(self.to)
         } else {
@@ -194,16 +195,16 @@ impl RandomSample {
         let bits = u64::BITS - self.count.saturating_sub(1).leading_zeros();
         let half = bits.div_ceil(2).max(1);
         let mask = (1_u64 << half) - 1;
-        let mut at = i;
+        let mut place = i;
         loop {
-            let (mut left, mut right) = (at >> half, at & mask);
+            let (mut left, mut right) = (place >> half, place & mask);
             for round in 0..ROUNDS {
                 let next = left ^ (mixed(&[!self.seed, self.key, round, right]) & mask);
                 (left, right) = (right, next);
             }
-            at = left << half | right;
-            if at < self.count {
-                return at;
+            place = left << half | right;
+            if place < self.count {
+                return place;
             }
         }
     }
@@ -306,10 +307,10 @@ mod draw_tests {
     fn a_latin_draw_takes_each_stratum_once() {
         for count in [1, 2, 3, 10, 64, 1000, 4097] {
             let draw = draw(count, true);
-            let mut taken: Vec<u64> = (0..count).map(|i| draw.stratum(i)).collect();
-            assert!(count < 10 || taken.windows(2).any(|pair| pair[0] > pair[1]), "{count}: shuffled");
-            taken.sort_unstable();
-            assert!(taken.into_iter().eq(0..count), "{count}");
+            let mut strata: Vec<u64> = (0..count).map(|i| draw.stratum(i)).collect();
+            assert!(count < 10 || strata.windows(2).any(|pair| pair[0] > pair[1]), "{count}: shuffled");
+            strata.sort_unstable();
+            assert!(strata.into_iter().eq(0..count), "{count}");
             assert!((0..count).all(|i| (10.0..=20.0).contains(&draw.value(i))));
         }
     }
@@ -321,8 +322,8 @@ mod draw_tests {
         let random = draw(10_000, false);
         assert!((mean(&random) - 15.0).abs() < 5.0 * 10.0 / (12.0 * 1e4_f64).sqrt());
         assert!((mean(&draw(10_000, true)) - 15.0).abs() < 1e-3, "strata leave no room for chance");
-        let others = [RandomSample { seed: 8, ..random.clone() }, RandomSample { key: 2, ..random.clone() }];
-        for other in others {
+        let unequal = [RandomSample { seed: 8, ..random.clone() }, RandomSample { key: 2, ..random.clone() }];
+        for other in unequal {
             let product = |i| (random.value(i) - 15.0) * (other.value(i) - 15.0);
             let correlation = (0..10_000).map(product).sum::<f64>() / 1e4 / (100.0 / 12.0);
             assert!(correlation.abs() < 0.05, "{correlation}");

@@ -44,11 +44,11 @@ impl Field {
     /// the list of single stars, `build.with`, or one of a drawing, since studies cover only stars.
     pub fn find(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
-        let own =
+        let is_named =
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
-        let (_, _, shape) = SHAPES.iter().find(own)?;
-        let others = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
-        let is_of_drawing = key.section() == key::drawing::FILE.section() || others.contains(&key);
+        let (_, _, shape) = SHAPES.iter().find(is_named)?;
+        let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
+        let is_of_drawing = key.section() == key::drawing::FILE.section() || of_drawings.contains(&key);
         (key != key::root::SCHEMA
             && !is_of_drawing
             && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
@@ -58,11 +58,11 @@ impl Field {
     /// The key nearest to `name`, if one is near.
     pub fn nearest_name(name: &str) -> Option<String> {
         let names: Vec<String> = Self::names().collect();
-        let near = nearest(name, names.iter().map(String::as_str));
+        let nearest_word = nearest(name, names.iter().map(String::as_str));
         // A name with no section, or with another one, is taken to mean the same key.
         let word = name.rsplit('.').next().unwrap_or(name);
         let ends = |known: &&String| known.rsplit('.').next() == Some(word);
-        near.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
+        nearest_word.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
     }
 
     /// The names of all fields.
@@ -105,11 +105,11 @@ impl Field {
             ValueShape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
             _ => word(),
         };
-        let said = |fault: Fault| {
+        let first_fault = |fault: Fault| {
             let help = fault.help.map(|help| format!("; {help}")).unwrap_or_default();
             format!("{}: {}{help}", fault.message, fault.label)
         };
-        self.read(&RawValue { kind, span: 0..0 }).map_err(said)
+        self.read(&RawValue { kind, span: 0..0 }).map_err(first_fault)
     }
 
     /// The value that was written as `value`, in its range.
@@ -120,9 +120,9 @@ impl Field {
             "" => reader.root(),
             name => reader.section(name),
         };
-        let found = taken(&mut section, self.key.key(), &self.shape);
+        let key_value = value_of(&mut section, self.key.key(), &self.shape);
         let unread = || Fault::error(FaultCode::WrongType, value.span.clone(), format!("`{}`", self.key));
-        found.ok_or_else(|| reader.faults.pop().unwrap_or_else(unread))
+        key_value.ok_or_else(|| reader.faults.pop().unwrap_or_else(unread))
     }
 
     /// `value` as a spec writes it.
@@ -140,11 +140,11 @@ impl Field {
 /// A plain number as TOML has it.
 fn number(text: &str) -> Option<RawNumber> {
     let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
-    let whole = text.parse().ok();
-    Some(RawNumber { text: text.to_owned(), value, is_integer: whole.is_some(), whole })
+    let integer = text.parse().ok();
+    Some(RawNumber { text: text.to_owned(), value, is_integer: integer.is_some(), whole: integer })
 }
 
-fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -> Option<KeyValue> {
+fn value_of(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -> Option<KeyValue> {
     match shape {
         ValueShape::Quantity(kind, allowed) => section.in_base(key, *kind, *allowed),
         ValueShape::Number(allowed) => section.number(key, *allowed),
@@ -160,7 +160,7 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -
             let sides = section.area(key, *allowed);
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
-        ValueShape::Or(shape, _) => return taken(section, key, shape),
+        ValueShape::Or(shape, _) => return value_of(section, key, shape),
         ValueShape::Sections
         | ValueShape::Lists(_)
         | ValueShape::Quantities(..)
@@ -182,23 +182,23 @@ pub(super) struct Leaf<'r> {
 
 /// The keys of `table`, in the order in which they were written; a fault for each that the spec does not have.
 pub(super) fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Leaf<'r>> {
-    let mut found = Vec::new();
+    let mut leaves = Vec::new();
     for entry in &table.0 {
-        gather(entry, "", &mut found, faults);
+        gather(entry, "", &mut leaves, faults);
     }
-    found.sort_by_key(|leaf| leaf.place.start);
-    found
+    leaves.sort_by_key(|leaf| leaf.place.start);
+    leaves
 }
 
-fn gather<'r>(entry: &'r RawEntry, section: &str, found: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
+fn gather<'r>(entry: &'r RawEntry, section: &str, leaves: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
     let name = format!("{section}{}", entry.key);
     if let Some(field) = Field::find(&name) {
-        found.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
+        leaves.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
         return;
     }
     if let Some(table) = entry.value.as_table().filter(|_| section.is_empty()) {
         for inner in &table.0 {
-            gather(inner, &format!("{name}."), found, faults);
+            gather(inner, &format!("{name}."), leaves, faults);
         }
         return;
     }
@@ -206,12 +206,12 @@ fn gather<'r>(entry: &'r RawEntry, section: &str, found: &mut Vec<Leaf<'r>>, fau
         Some(near) => format!("did you mean `{near}`?"),
         None => "keys are written with their section: star.points, load.pressure".to_owned(),
     };
-    let what = if name.starts_with("stack.star") || name == "schema" {
+    let problem = if name.starts_with("stack.star") || name == "schema" {
         format!("{} cannot be set by a study", quoted(&name))
     } else {
         format!("unknown key {}", quoted(&name))
     };
-    let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), what);
+    let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), problem);
     faults.push(fault.label("must be a key of the spec").help(help));
 }
 
@@ -253,8 +253,8 @@ mod tests {
     #[test]
     fn keys_that_no_study_sets_are_these() {
         let names = key::ALL.iter().map(ToString::to_string);
-        let others: Vec<String> = names.filter(|name| Field::find(name).is_none()).collect();
-        let known = [
+        let unset_names: Vec<String> = names.filter(|name| Field::find(name).is_none()).collect();
+        let expected = [
             "schema",
             "stack.star",
             "drawing.file",
@@ -268,28 +268,28 @@ mod tests {
             "load.chambers",
             "build.with",
         ];
-        assert_eq!(others, known);
+        assert_eq!(unset_names, expected);
     }
 
     #[test]
     fn values_out_of_range_say_what_is_allowed() {
-        let said =
+        let refusal_of =
             |name: &str, text: &str| Field::find(name).expect("a key").parse(text).expect_err("refused");
-        assert_eq!(said("star.points", "2"), "`points` is 2: must be from 3 to 64");
+        assert_eq!(refusal_of("star.points", "2"), "`points` is 2: must be from 3 to 64");
         assert_eq!(
-            said("star.points", "4.5"),
+            refusal_of("star.points", "4.5"),
             "`points` in [star] is the number 4.5: must be a whole number, without quotes and unit"
         );
         assert_eq!(
-            said("star.tube_width", "0 mm"),
+            refusal_of("star.tube_width", "0 mm"),
             "`tube_width` is `0 mm`: must be at least 0.001 mm and at most 100000 mm"
         );
         assert!(
-            said("star.tube_width", "3")
+            refusal_of("star.tube_width", "3")
                 .starts_with("`tube_width` is `3`, without a unit: a length needs a unit")
         );
-        assert!(said("accuracy.model", "secton").ends_with("did you mean \"section\"?"));
-        assert!(said("mask.mirror", "yes").contains("must be true or false"));
+        assert!(refusal_of("accuracy.model", "secton").ends_with("did you mean \"section\"?"));
+        assert!(refusal_of("mask.mirror", "yes").contains("must be true or false"));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::reading::{read_schema, read_with};
 use crate::section::Reader;
 use crate::shape::ValueShape;
 use crate::source::Source;
-use crate::study::axis::{Axis, Block, MOST_VALUES, RandomSample, between, counted_out};
+use crate::study::axis::{Axis, Block, MOST_VALUES, RandomSample, counted_out, ends_of};
 use crate::study::field::{Field, KeyValue, Leaf, leaves};
 use crate::value::{RawKind, RawValue};
 use crate::{FaultCode, KeyPath};
@@ -65,16 +65,16 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let model = root.choice("model", &ModelChoice::ALL);
     let place = root.place_of("model");
     let fineness = root.choice("fineness", &Detail::ALL).map(|detail| (detail, root.place_of("fineness")));
-    let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
-    let outputs = root.texts("outputs").map(|names| names.into_iter().map(wanted).collect());
-    let mut seen = SeenKeys::default();
+    let selected = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
+    let outputs = root.texts("outputs").map(|names| names.into_iter().map(selected).collect());
+    let mut keys = SeenKeys::default();
     if model.is_some() {
-        seen.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
+        keys.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
     }
-    let set = read_set(reader, &mut seen);
-    let mut blocks = Vec::from_iter(read_draw(reader, &mut seen));
-    blocks.extend(read_rows(reader, &mut seen));
-    blocks.extend(read_vary(reader, &mut seen));
+    let set = read_set(reader, &mut keys);
+    let mut blocks = Vec::from_iter(read_draw(reader, &mut keys));
+    blocks.extend(read_rows(reader, &mut keys));
+    blocks.extend(read_vary(reader, &mut keys));
     if blocks.is_empty() && reader.faults.is_empty() {
         let fault = Fault::error(FaultCode::MissingKey, usize::MAX..usize::MAX, "nothing is varied")
             .label("a study needs [vary], [rows] or [draw]")
@@ -90,60 +90,60 @@ struct SeenKeys(Vec<(KeyPath, &'static str)>);
 
 impl SeenKeys {
     /// Adds `key`; a fault if it, or its twin, is there already.
-    fn add(&mut self, key: KeyPath, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
+    fn add(&mut self, key: KeyPath, place: Range<usize>, section: &'static str, faults: &mut Vec<Fault>) {
         let is_same = |known: KeyPath| known == key || Some(known) == key.twin();
-        if let Some((known, other)) = self.0.iter().find(|(known, _)| is_same(*known)) {
-            let found = if *known == key {
+        if let Some((earlier, other)) = self.0.iter().find(|(known, _)| is_same(*known)) {
+            let problem = if *earlier == key {
                 format!("`{key}` is set twice")
             } else {
-                format!("`{key}` is set besides `{known}`, the same size")
+                format!("`{key}` is set besides `{earlier}`, the same size")
             };
-            let fault = Fault::error(FaultCode::Conflict, place, found);
+            let fault = Fault::error(FaultCode::Conflict, place, problem);
             faults.push(fault.label(format!("{other} sets it already")).help("delete one of them"));
         }
-        self.0.push((key, by));
+        self.0.push((key, section));
     }
 }
 
 /// The leaves of section `name`, each once.
-fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys) -> Vec<Leaf<'r>> {
+fn section<'r>(reader: &mut Reader<'r>, name: &'static str, keys: &mut SeenKeys) -> Vec<Leaf<'r>> {
     let Some(table) = reader.free(name).and_then(RawValue::as_table) else { return Vec::new() };
-    let found = leaves(table, &mut reader.faults);
-    for leaf in &found {
-        seen.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
+    let section_leaves = leaves(table, &mut reader.faults);
+    for leaf in &section_leaves {
+        keys.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
     }
-    found
+    section_leaves
 }
 
 /// What was found, or `None` and its fault among `faults`.
-fn kept<T>(found: Result<T, Fault>, faults: &mut Vec<Fault>) -> Option<T> {
-    found.map_err(|fault| faults.push(fault)).ok()
+fn or_fault<T>(result: Result<T, Fault>, faults: &mut Vec<Fault>) -> Option<T> {
+    result.map_err(|fault| faults.push(fault)).ok()
 }
 
-fn read_set(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<(Field, KeyValue)> {
-    let leaves = section(reader, "set", seen).into_iter();
+fn read_set(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Vec<(Field, KeyValue)> {
+    let leaves = section(reader, "set", keys).into_iter();
     let set = leaves.filter_map(|leaf| {
-        let value = kept(leaf.field.read(leaf.value), &mut reader.faults)?;
+        let value = or_fault(leaf.field.read(leaf.value), &mut reader.faults)?;
         Some((leaf.field, value))
     });
     set.collect()
 }
 
-fn read_vary(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<Block> {
-    let leaves = section(reader, "vary", seen).into_iter();
-    leaves.filter_map(|leaf| Block::new(vec![kept(read_axis(leaf), &mut reader.faults)?])).collect()
+fn read_vary(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Vec<Block> {
+    let leaves = section(reader, "vary", keys).into_iter();
+    leaves.filter_map(|leaf| Block::new(vec![or_fault(read_axis(leaf), &mut reader.faults)?])).collect()
 }
 
-fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
+fn read_rows(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
     let mut axes: Vec<Axis> = Vec::new();
-    for leaf in section(reader, "rows", seen) {
+    for leaf in section(reader, "rows", keys) {
         let (name, place) = (leaf.field.key(), leaf.value.span.clone());
-        let Some(axis) = kept(read_axis(leaf), &mut reader.faults) else { continue };
+        let Some(axis) = or_fault(read_axis(leaf), &mut reader.faults) else { continue };
         if let Some(first) = axes.first().filter(|first| first.len() != axis.len()) {
-            let found = format!("`{name}` has {} values in [rows]", axis.len());
+            let problem = format!("`{name}` has {} values in [rows]", axis.len());
             let label =
                 format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
-            reader.faults.push(Fault::error(FaultCode::CellCount, place, found).label(label));
+            reader.faults.push(Fault::error(FaultCode::CellCount, place, problem).label(label));
         }
         axes.push(axis);
     }
@@ -152,31 +152,31 @@ fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
 
 /// A list of values, or a range that is counted out.
 fn read_axis(Leaf { field, value, .. }: Leaf<'_>) -> Result<Axis, Fault> {
-    let told = |code, label: &str| {
-        let found = format!("`{}` is {}", field.key(), value.in_words());
-        Fault::error(code, value.span.clone(), found).label(label)
+    let fault_of = |code, label: &str| {
+        let problem = format!("`{}` is {}", field.key(), value.in_words());
+        Fault::error(code, value.span.clone(), problem).label(label)
     };
     let values = match &value.kind {
         RawKind::List(list) if list.is_empty() => {
-            return Err(told(FaultCode::OutOfRange, "must hold at least one value"));
+            return Err(fault_of(FaultCode::OutOfRange, "must hold at least one value"));
         }
         RawKind::List(list) if list.len() > MOST_VALUES as usize => {
-            return Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")));
+            return Err(fault_of(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")));
         }
         // One fault is enough: an error in the first of a thousand values is in all of them.
         RawKind::List(list) => list.iter().map(|value| field.read(value)).collect::<Result<_, _>>()?,
         RawKind::Text(text) if text.contains("..") => {
-            counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))?
+            counted_out(&field, text).map_err(|reason| fault_of(FaultCode::OutOfRange, &reason))?
         }
         _ => {
-            let fault = told(FaultCode::WrongType, "must be a list, [a, b, c], or \"FROM..TO/COUNT\"");
+            let fault = fault_of(FaultCode::WrongType, "must be a list, [a, b, c], or \"FROM..TO/COUNT\"");
             return Err(fault.help("a single fixed value belongs in [set]"));
         }
     };
     Ok(Axis::listed(field, values))
 }
 
-fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
+fn read_draw(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
     let mut section = reader.section("draw");
     if section.is_written() {
         section.require(&[("count", "1000"), ("between", "{ \"star.tube_width\" = \"10 mm..40 mm\" }")]);
@@ -190,27 +190,27 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
         section.refuse(FaultCode::WrongType, "between", "`between` is not a section", allowed);
         return None;
     };
-    let drawn = |Leaf { field, value, .. }: Leaf<'_>| {
+    let drawn_axis = |Leaf { field, value, .. }: Leaf<'_>| {
         let ends = match &value.kind {
-            RawKind::Text(text) => between(&field, text),
+            RawKind::Text(text) => ends_of(&field, text),
             _ => Err("must be a text, \"FROM..TO\"".to_owned()),
         };
         let ends = ends.and_then(|[from, to]| {
-            let why = "the range is descending: write the smaller end first";
-            if from <= to { Ok([from, to]) } else { Err(why.to_owned()) }
+            let problem = "the range is descending: write the smaller end first";
+            if from <= to { Ok([from, to]) } else { Err(problem.to_owned()) }
         });
         let [from, to] = ends.map_err(|why| {
-            let found = format!("`{}` is {}", field.key(), value.in_words());
-            Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why)
+            let problem = format!("`{}` is {}", field.key(), value.in_words());
+            Fault::error(FaultCode::OutOfRange, value.span.clone(), problem).label(why)
         })?;
         let key = RandomSample::number(&field.key().to_string());
-        let whole = field.is_whole();
-        Ok(Axis::sampled(field, RandomSample { from, to, whole, seed, key, count, latin }))
+        let is_whole = field.is_whole();
+        Ok(Axis::sampled(field, RandomSample { from, to, whole: is_whole, seed, key, count, latin }))
     };
     let mut axes = Vec::new();
     for leaf in leaves(table, &mut reader.faults) {
-        seen.add(leaf.field.key(), leaf.place.clone(), "draw", &mut reader.faults);
-        axes.extend(kept(drawn(leaf), &mut reader.faults));
+        keys.add(leaf.field.key(), leaf.place.clone(), "draw", &mut reader.faults);
+        axes.extend(or_fault(drawn_axis(leaf), &mut reader.faults));
     }
     Block::new(axes)
 }

@@ -69,12 +69,12 @@ impl<'a> MeshPart<'a> {
         file: &'a str,
         facets: &[StlFacet],
     ) -> Option<Self> {
-        let there = star.tiles.tiles.get(piece.checked_sub(1)?)?.motion(mirrored);
+        let motion = star.tiles.tiles.get(piece.checked_sub(1)?)?.motion(mirrored);
         // A mirror image that is turned is its own way back.
-        let back = if mirrored { there } else { Isometry::rotation(-there.rotation) };
-        let at = |corner: [f64; 3]| back.point(Point::new(corner[0], corner[1]));
+        let back = if mirrored { motion } else { Isometry::rotation(-motion.rotation) };
+        let point_of = |corner: [f64; 3]| back.point(Point::new(corner[0], corner[1]));
         let feet = facets.iter().filter_map(foot).filter(|[a, _]| a[2] == 0.0);
-        let edges = feet.map(|[a, b]| Line::new(at(a), at(b))).collect();
+        let edges = feet.map(|[a, b]| Line::new(point_of(a), point_of(b))).collect();
         let bottom = facets.iter().map(|facet| facet.map(|corner| corner.map(f64::from)));
         let bottom = bottom.filter(|facet| facet.iter().all(|corner| corner[2] == 0.0));
         let area = |[a, b, c]: [[f64; 3]; 3]| {
@@ -95,10 +95,10 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let holes = &star.outline.registration;
     let off_plate = |p: Point| {
         let rims = holes.iter().map(|hole| (hole.center.distance(p) - hole.diameter / 2.0).abs());
-        let near = |best: f64, target: &Prepared| {
+        let least_distance = |best: f64, target: &Prepared| {
             if target.bounds.distance(p) < best { best.min(target.distance(p)) } else { best }
         };
-        plate.iter().fold(rims.fold(f64::INFINITY, f64::min), near)
+        plate.iter().fold(rims.fold(f64::INFINITY, f64::min), least_distance)
     };
     let (mut on_plate, mut joints): (f64, Vec<(usize, Line)>) = (0.0, Vec::new());
     for (i, part) in parts.iter().enumerate() {
@@ -116,18 +116,18 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     // Each joint has an edge on either side.
     let gaps = GAP * joints.iter().map(|(_, edge)| edge.length()).sum::<f64>() / 2.0;
     for (i, part) in parts.iter().enumerate() {
-        let own = joints.iter().filter(|(owner, _)| *owner == i);
-        let gap = own.map(|(_, edge)| {
-            let others = joints.iter().filter(|(owner, _)| *owner != i);
+        let own_edges = joints.iter().filter(|(owner, _)| *owner == i);
+        let gap = own_edges.map(|(_, edge)| {
+            let other_edges = joints.iter().filter(|(owner, _)| *owner != i);
             let middle = edge.start.midpoint(edge.end);
-            let off = others.map(|(_, other)| Prepared::new((*other).into()).distance(middle));
-            off.fold(f64::INFINITY, f64::min)
+            let distances = other_edges.map(|(_, other)| Prepared::new((*other).into()).distance(middle));
+            distances.fold(f64::INFINITY, f64::min)
         });
         let widest = gap.fold(0.0, f64::max);
         if widest > GAP {
-            let found = format!("an edge {widest:.3} mm from the plate's and from every other piece");
+            let problem = format!("an edge {widest:.3} mm from the plate's and from every other piece");
             findings
-                .push(Finding::new(FindingCode::WrongJoint, found, format!("{GAP} mm")).in_file(part.file));
+                .push(Finding::new(FindingCode::WrongJoint, problem, format!("{GAP} mm")).in_file(part.file));
         }
     }
     let length: f64 = plate.iter().map(|target| target.length).sum::<f64>()
@@ -138,8 +138,8 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
         findings.push(Finding::new(FindingCode::WrongJoint, found, allowed).in_file(file));
     };
     if (on_plate - length).abs() > 0.01 * length {
-        let found = format!("{on_plate:.1} mm of the plate's edges on all pieces");
-        wrong(found, format!("{length:.1} mm"));
+        let problem = format!("{on_plate:.1} mm of the plate's edges on all pieces");
+        wrong(problem, format!("{length:.1} mm"));
     }
     let slack = (SHARE * right).max(gaps);
     if (area - right).abs() > slack {

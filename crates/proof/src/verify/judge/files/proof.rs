@@ -71,23 +71,23 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
     let request = manifest.as_ref().map_or(KindRequest::default(), Manifest::request);
-    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &request);
-    let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
+    let output_list = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &request);
+    let entries = names::check(files, manifest.as_ref(), &output_list, &mut proof.findings);
     let mut cross = CrossChecks::default();
-    for output in wanted {
+    for output in output_list {
         let path = output.name();
         let Some(bytes) = files.get(&path) else { continue };
         let mut findings = Findings::default();
-        let sha256 = sha256(bytes);
+        let hash = sha256(bytes);
         if let Some(entry) = entries.get(path.as_str()) {
-            check_hash(entry, bytes, &sha256, &mut findings);
+            check_hash(entry, bytes, &hash, &mut findings);
         }
-        let (by, deviation) = file(expected, &output, bytes, &mut cross, &mut findings);
+        let (method, deviation) = file(expected, &output, bytes, &mut cross, &mut findings);
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
-        proof.files.push(FileProof { path, output, by, sha256, deviation });
+        proof.files.push(FileProof { path, output, by: method, sha256: hash, deviation });
     }
-    let unlike = cross.seals.disagreements(expected.spec.accuracy.path.0, &proof.findings);
-    proof.findings.extend(unlike);
+    let disagreements = cross.seals.disagreements(expected.spec.accuracy.path.0, &proof.findings);
+    proof.findings.extend(disagreements);
     proof.findings.extend(cross.pieces.disagreements(expected.design));
     if let Some(manifest) = &manifest {
         proof.findings.extend(figures::against_design(expected, manifest));
@@ -167,7 +167,7 @@ fn file(
             let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
             let tolerance = expected.spec.accuracy.path.0;
             let title = output.title(&expected.spec.name);
-            let found = match format {
+            let read_drawing = match format {
                 Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
                 Format::Toml
                 | Format::Gcode
@@ -179,9 +179,9 @@ fn file(
                 | Format::Glb
                 | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
             };
-            let deviation = drawings::compare(&found, &exact, tolerance, findings);
+            let deviation = drawings::compare(&read_drawing, &exact, tolerance, findings);
             if let (Subject::Seal, Some(sheet)) = (subject, output.part.sheet()) {
-                cross.seals.add(sheet, &output.name(), &found);
+                cross.seals.add(sheet, &output.name(), &read_drawing);
             }
             (Method::Reading, Some(deviation))
         }
@@ -197,7 +197,7 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     // The same program gives the same bytes; another build of it may differ in the last digits.
     let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
     if !numbers(text).zip(numbers(right)).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
-        let found = "other numbers than this spec gives";
-        findings.add(FindingCode::Prediction, found, "the prediction of the same spec");
+        let problem = "other numbers than this spec gives";
+        findings.add(FindingCode::Prediction, problem, "the prediction of the same spec");
     }
 }

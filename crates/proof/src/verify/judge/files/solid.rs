@@ -32,14 +32,14 @@ pub(super) fn check(
     thickness: f64,
     findings: &mut Findings,
 ) -> (Vec<StlFacet>, f64) {
-    let Some((facets, beside)) = read_solid(bytes) else {
-        let found = format!("{} bytes that are not a binary STL", bytes.len());
+    let Some((facets, notes)) = read_solid(bytes) else {
+        let problem = format!("{} bytes that are not a binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
-        findings.add(FindingCode::BadStl, found, allowed);
+        findings.add(FindingCode::BadStl, problem, allowed);
         return (Vec::new(), f64::INFINITY);
     };
-    named(&beside, name, findings);
-    normals(&facets, &beside.normals, thickness, findings);
+    named(&notes, name, findings);
+    normals(&facets, &notes.normals, thickness, findings);
     let corners = numbered(&facets);
     closed(&corners, findings);
     let layers = drawing.layers.iter();
@@ -61,14 +61,14 @@ pub(super) fn check(
 }
 
 /// Checks that the head names the solid, and that the facets have no other data.
-fn named(beside: &SolidNotes, name: &str, findings: &mut Findings) {
-    if !beside.plain {
+fn named(notes: &SolidNotes, name: &str, findings: &mut Findings) {
+    if !notes.plain {
         findings.add(FindingCode::BadStl, "a facet with notes", "two zeros a facet");
     }
     let right = format!("{:80}", in_file(name, 80));
-    if beside.head != right.as_bytes() {
-        let found = quote(&String::from_utf8_lossy(&beside.head));
-        findings.add(FindingCode::WrongTitle, found, quote(&right));
+    if notes.head != right.as_bytes() {
+        let title = quote(&String::from_utf8_lossy(&notes.head));
+        findings.add(FindingCode::WrongTitle, title, quote(&right));
     }
 }
 
@@ -83,13 +83,13 @@ fn sixfold(facet: &StlFacet) -> f64 {
 fn normals(facets: &[StlFacet], normals: &[[f32; 3]], thickness: f64, findings: &mut Findings) {
     let wrong = facets.iter().zip(normals).filter(|(facet, normal)| {
         let (right, slack) = normal_of(facet, thickness);
-        let off = (0..3).map(|k| (f64::from(normal[k]) - right[k]).abs());
-        !off.fold(0.0, f64::max).le(&slack) || normal.iter().any(|x| x.is_nan())
+        let deviations = (0..3).map(|k| (f64::from(normal[k]) - right[k]).abs());
+        !deviations.fold(0.0, f64::max).le(&slack) || normal.iter().any(|x| x.is_nan())
     });
     let count = wrong.count();
     if count > 0 {
-        let found = format!("{count} normals that differ from their corners'");
-        findings.add(FindingCode::BadStl, found, "none");
+        let problem = format!("{count} normals that differ from their corners'");
+        findings.add(FindingCode::BadStl, problem, "none");
     }
 }
 
@@ -117,11 +117,11 @@ fn single(facets: &[StlFacet]) -> f64 {
 
 /// The corners of every facet by numbers, which are given in the order in which corners first come.
 fn numbered(facets: &[StlFacet]) -> Vec<[u32; 3]> {
-    let mut known: HashMap<(u64, u32), u32> = HashMap::with_capacity(facets.len());
+    let mut numbers: HashMap<(u64, u32), u32> = HashMap::with_capacity(facets.len());
     let mut number = |corner: [f32; 3]| {
         let [x, y, z] = corner.map(bits);
-        let next = u32::try_from(known.len()).unwrap_or(u32::MAX);
-        *known.entry((u64::from(x) << 32 | u64::from(y), z)).or_insert(next)
+        let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+        *numbers.entry((u64::from(x) << 32 | u64::from(y), z)).or_insert(next)
     };
     facets.iter().map(|facet| facet.map(&mut number)).collect()
 }
@@ -133,14 +133,14 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
     let mut edges: Vec<u64> = corners.iter().flat_map(edges_of).collect();
     edges.sort_unstable();
     let paired = |uses: &[u64]| matches!(uses, [back, forth] if back & 1 == 0 && forth & 1 == 1);
-    let (mut open, mut all) = (0_usize, 0_usize);
+    let (mut open, mut total) = (0_usize, 0_usize);
     for uses in edges.chunk_by(|a, b| a >> 1 == b >> 1) {
-        all += 1;
+        total += 1;
         open += usize::from(!paired(uses));
     }
-    if open > 0 || all == 0 {
-        let found = format!("{open} of {all} edges");
-        findings.add(FindingCode::NotWatertight, found, "each edge once in each direction");
+    if open > 0 || total == 0 {
+        let problem = format!("{open} of {total} edges");
+        findings.add(FindingCode::NotWatertight, problem, "each edge once in each direction");
     }
 }
 
@@ -204,7 +204,7 @@ fn edges(
     let targets = Prepared::prepare_all(paths);
     let mut search = Search { targets: &targets, last: 0 };
     let (mut largest, mut worst, mut length) = (0.0_f64, 0.0_f64, 0.0);
-    let (mut seen, mut next): (HashSet<[u32; 2]>, u32) = (HashSet::new(), 0);
+    let (mut corners_seen, mut next): (HashSet<[u32; 2]>, u32) = (HashSet::new(), 0);
     for (facet, numbers) in facets.iter().zip(corners) {
         for (corner, number) in facet.iter().zip(numbers) {
             if *number < next {
@@ -214,7 +214,7 @@ fn edges(
             let [x, y, z] = corner.map(f64::from);
             worst = worst.max(z.abs().min((z - thickness).abs()));
             // Walls have two corners above each other.
-            if seen.insert([bits(corner[0]), bits(corner[1])]) {
+            if corners_seen.insert([bits(corner[0]), bits(corner[1])]) {
                 worst = worst.max(search.distance(x, y));
             }
         }
@@ -227,12 +227,12 @@ fn edges(
     let coarse = single(facets);
     for (found, allowed, what) in [(largest, CHORD + coarse, "chord"), (worst, CORNER + coarse, "corner")] {
         if found.is_nan() || found > allowed {
-            let found = if found.is_finite() {
+            let deviation = if found.is_finite() {
                 format!("a {what} {found:.6} mm off")
             } else {
                 format!("a {what} near no path")
             };
-            findings.add(FindingCode::Deviation, found, format!("{allowed} mm"));
+            findings.add(FindingCode::Deviation, deviation, format!("{allowed} mm"));
         }
     }
     let exact: f64 = paths.iter().map(Path::length).sum();
