@@ -44,7 +44,7 @@ function beside(name) {
     select(panels.map((panel) => byId(`tab-${panel}`)), byId(`tab-${name}`));
     for (const panel of ["start", "values", "text"]) byId(`panel-${panel}`).hidden = panel !== name;
     document.querySelector("main").classList.toggle("on-result", name === "result");
-    if (name === "start") listRecent(desk.state.id, take);
+    if (name === "start") listRecent(desk?.state.id, take);
 }
 
 /** Changes of fields, one after the other: each starts from the text after the one before. */
@@ -151,9 +151,12 @@ function listenFiles() {
 }
 
 function listen() {
-    byId("object-form").addEventListener("submit", (event) => {
+    byId("object-form").addEventListener("submit", async (event) => {
         event.preventDefault();
-        find((question) => safely(() => program.ask(question, { isLong: true })), (text) => take({ text }));
+        const { state } = desk;
+        await find((question) => safely(() => program.ask(question, { isLong: true })), (text) => take({ text }));
+        // The search stopped what was being made of a spec that stays.
+        if (desk.state === state && byId("zip").disabled) maker.build();
     });
     offerDesigns(designs, (design) => safely(() => takeDesign(design)));
     listenTabs(document.querySelector("#side > .tabs"), ({ id }) => beside(id.slice("tab-".length)));
@@ -175,7 +178,8 @@ async function begin() {
 
 async function start() {
     const worker = URL.createObjectURL(new Blob([byId("worker-code").textContent], { type: "text/javascript" }));
-    const isFirst = shelf().length === 0;
+    // What can be seen without the program is there while it loads.
+    beside(shelf().length === 0 && !location.hash ? "start" : "values");
     const [module, [spec, fragment, isDamaged]] = await Promise.all([compiled(), begin()]);
     program = new Program(module, () => new Worker(worker));
     desk = new Desk(spec, fragment, designs["paper-gripper"].spec);
@@ -201,7 +205,7 @@ async function start() {
     listenLinks();
     listenFiles();
     watch(program);
-    beside(isFirst && !spec ? "start" : "values");
+    byId("side").inert = false;
     await maker.refresh();
 }
 

@@ -54,16 +54,16 @@ export class Maker {
             this.#show(answer);
             document.documentElement.dataset.look = Math.round(performance.now() - this.#began);
             if (!answer.overview) return;
-            this.#timer = setTimeout(() => this.build(), PAUSE);
+            this.#timer = setTimeout(() => this.build({ isPatient: true }), PAUSE);
             this.#desk.describe({ name: answer.name, picture: smallPicture(answer.sheets?.[0]) });
         });
     }
 
-    /** Makes and proves all files. */
-    async build() {
+    /** Makes and proves all files; `isPatient`: after what runs. */
+    async build({ isPatient = false } = {}) {
         const { state } = this.#desk, anyway = byId("anyway").checked;
         byId("proof").textContent = "Making and proving the files ...";
-        const answer = await this.#asked({ anyway }, { lane: "files" });
+        const answer = await this.#asked({ anyway }, { lane: "files", isPatient });
         if (this.#desk.state !== state) return;
         if (!answer) {
             byId("proof").textContent = "Stopped. The next change of the spec starts it again.";

@@ -7,10 +7,12 @@ const LETTER = 7.2;
 /** A group at a point whose content is in pixels. */
 const pixels = ([x, y], ...content) => shape("g", { transform: `translate(${x} ${y})` }, shape("g", { class: "px" }, ...content));
 
-/** A label of `text` at a point, moved by `dy` px; `rank` decides which of two that overlap stays (the lower one). */
+/** A label of `text` beside a point: `dy` px below it, or where it is free; `rank` decides which of two comes first (the lower one). */
 function label(place, text, { className = "", dy = 0, rank = 1 } = {}) {
-    const group = pixels(place, shape("text", { class: className, y: dy }, text));
-    Object.assign(group, { label: { place, dy, width: LETTER * text.length + 6, height: 17, rank } });
+    const words = shape("text", { class: className }, text), group = pixels(place, words);
+    const width = LETTER * text.length + 6, aside = width / 2 + 12, other = -dy || 18;
+    const shifts = [[0, dy], [0, other], [aside, 0], [-aside, 0], [0, 2 * other], [aside, other], [-aside, other]];
+    Object.assign(group, { label: { place, width, height: 17, rank, shifts, words } });
     return group;
 }
 
@@ -29,7 +31,7 @@ function piece(own, isAlone, hover) {
         const feel = shape("path", { class: "feel", d: seam.path, tabindex: 0, role: "img", "aria-label": words });
         hover(feel, words);
         parts.push(shape("g", {}, feel, shape("path", { class: "band", d: seam.path, "stroke-width": own.band_mm, "pointer-events": "none" })));
-        if (seam.start) labels.push(Object.assign(pixels(seam.start, shape("circle", { class: "start", r: 8.5, "stroke-width": 1.5 }), shape("text", { class: "order" }, String(seam.order))), { label: { place: seam.start, dy: 0, width: 19, height: 19, rank: 0 } }));
+        if (seam.start) labels.push(Object.assign(pixels(seam.start, shape("circle", { class: "start", r: 8.5, "stroke-width": 1.5 }), shape("text", { class: "order" }, String(seam.order))), { label: { place: seam.start, width: 19, height: 19, rank: 0, shifts: [[0, 0]] } }));
         if (isAlone && seam.name && seam.middle) labels.push(label(seam.middle, seam.name, { dy: -15, rank: 2 }));
     }
     for (const [place, diameter] of own.holes) parts.push(shape("circle", { class: "hole", cx: place[0], cy: place[1], r: diameter / 2 }));
@@ -72,14 +74,18 @@ export function drawingPicture({ box, figures }, faults, { hover, choose }) {
     return { content, labels, box };
 }
 
-/** Hides labels that would cover others; `scale` is mm a pixel. */
+/** Moves labels that would cover others, and hides those without a free place; `scale` is mm a pixel. */
 export function part(labels, scale) {
     const placed = [];
     for (const group of [...labels].filter(({ label }) => label).sort((a, b) => a.label.rank - b.label.rank)) {
-        const { place, dy, width, height } = group.label, x = place[0] / scale, y = place[1] / scale + dy;
-        const isFree = placed.every((other) => Math.abs(other.x - x) > (other.width + width) / 2 || Math.abs(other.y - y) > (other.height + height) / 2);
-        group.style.display = isFree ? "" : "none";
-        if (isFree) placed.push({ x, y, width, height });
+        const { place, width, height, shifts, words } = group.label;
+        const boxes = shifts.map(([dx, dy]) => ({ dx, dy, x: place[0] / scale + dx, y: place[1] / scale + dy, width, height }));
+        const free = boxes.find(({ x, y }) => placed.every((other) => Math.abs(other.x - x) > (other.width + width) / 2 || Math.abs(other.y - y) > (other.height + height) / 2));
+        group.style.display = free ? "" : "none";
+        if (!free) continue;
+        placed.push(free);
+        words?.setAttribute("x", free.dx);
+        words?.setAttribute("y", free.dy);
     }
 }
 

@@ -12,7 +12,8 @@ export async function compiled() {
         const answer = await fetch("stargrip-cam.wasm");
         if (!answer.ok) throw new Error(`the program could not be loaded (${answer.status}); load the page again`);
         navigator.serviceWorker?.register("offline.js").catch(() => {}); // without it the page needs its network
-        return streamed(answer.body);
+        // The browser itself passes the bytes on, if it trusts their type: it keeps what it compiled for the next visit.
+        return answer.headers.get("Content-Type") === "application/wasm" ? WebAssembly.compileStreaming(answer) : streamed(answer.body);
     }
     const packed = Uint8Array.fromBase64?.(packedProgram.textContent) ?? Uint8Array.from(atob(packedProgram.textContent), (letter) => letter.charCodeAt(0));
     packedProgram.remove();

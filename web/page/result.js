@@ -52,6 +52,7 @@ export class Result {
         byId("anyway-box").hidden = !unfit;
         if (!overview) {
             const errors = faults.filter(({ warning }) => !warning).length;
+            byId("proof").textContent = "Not made: the spec is refused.";
             this.#verdict("bad", errors > 1 ? `Refused, for ${errors} reasons` : "Refused", "The picture shows why. The values below are those of before.");
             return;
         }

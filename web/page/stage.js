@@ -8,8 +8,10 @@ import { askRole, closeRoles } from "./roles.js";
 const VIEWS = ["sheet", "drawing", "solid", "report"];
 const LEGENDS = {
     sheet: [["air", "air"], ["band", "sealed band"], ["flap", "flap"], ["cut", "cut"], ["start", "start, in order"]],
-    drawing: [["air", "air"], ["seam", "seam"], ["port", "port"], ["cut", "cut, hole"], ["ignore", "ignored"], ["none", "no role"]],
+    drawing: [["air", "air"], ["seam", "seam"], ["port", "port, valve"], ["cut", "cut, hole"], ["measure", "measured"], ["ignore", "ignored"], ["none", "no role"]],
 };
+/** Roles with the colour of another one. */
+const COLOURS = { valve: "port", hole: "cut" };
 
 export class Stage {
     #canvas = new Canvas();
@@ -89,7 +91,8 @@ export class Stage {
         closeRoles();
         if (!isPicture) return;
         const hover = (line, text) => this.#canvas.hover(line, text), sheet = this.#sheets[byId("sheets").value || 0];
-        byId("legend").replaceChildren(...LEGENDS[view].map(([name, words]) => element("li", { className: name }, element("i"), words)));
+        const roles = new Set(this.#drawing?.figures.map(({ role }) => COLOURS[role] ?? role ?? "none"));
+        byId("legend").replaceChildren(...LEGENDS[view].filter(([name]) => view === "sheet" || roles.has(name)).map(([name, words]) => element("li", { className: name }, element("i"), words)));
         // A drawing that is shown as it is does not fade with the numbers.
         byId("picture").classList.toggle("fresh", view === "drawing");
         if (view === "drawing") {
