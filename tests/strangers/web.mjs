@@ -2,11 +2,10 @@
 // Usage: node web.mjs PAGES TOOL OUT, with NODE_PATH at playwright-core, axe-core and jsqr. OUT gets pictures and builds.
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
-import { createServer } from "node:http";
-import { extname, join, resolve } from "node:path";
+import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { deflateRawSync, inflateRawSync } from "node:zlib";
-import { ORDINARY, beside, dropped, ended, fits, fitsAlways, holds, launched, must, noted, onDisk, opened, packages, ready } from "./web_page.mjs";
+import { ORDINARY, beside, dropped, ended, fits, fitsAlways, holds, launched, must, noted, onDisk, opened, packages, ready, serving } from "./web_page.mjs";
 
 const jsQR = packages("jsqr");
 const [pages, tool, out] = process.argv.slice(2);
@@ -229,19 +228,6 @@ async function hostile(page, what) {
     must((await page.inputValue("#spec")).endsWith("# more\n"), `${what}: the text is lost with the instance`);
     await page.fill("#spec", shipped);
     await ready(page);
-}
-
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
-
-/** A server of the files below `directory`. */
-async function serving(directory) {
-    const server = createServer(({ url }, answer) => {
-        const path = new URL(url, "http://x").pathname;
-        const name = path.endsWith("/") ? `${path}index.html` : path;
-        answer.writeHead(200, { "Content-Type": TYPES[extname(name)] ?? "text/plain" }).end(readFileSync(join(directory, name)));
-    });
-    await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
-    return { address: `http://127.0.0.1:${server.address().port}/`, close: () => (server.closeAllConnections(), new Promise((closed) => server.close(closed))) };
 }
 
 /** The page on a server: installed, it opens without one. */

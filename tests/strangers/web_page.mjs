@@ -1,8 +1,10 @@
 // What the tests of the page in Chromium share: a page on which every complaint of the browser is a problem, and what a person does there.
 import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { createRequire } from "node:module";
-import { resolve } from "node:path";
+import { extname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { brotliCompressSync, constants } from "node:zlib";
 
 export const packages = createRequire(resolve(process.env.NODE_PATH) + "/");
 const { chromium } = packages("playwright-core");
@@ -10,7 +12,7 @@ const axe = readFileSync(packages.resolve("axe-core/axe.min.js"), "utf8");
 /** Longest wait for anything but a shell, ms. */
 export const ORDINARY = 30_000;
 /** Most of the window that may move unasked: while the page opens, and while one works with it, which browsers call good below 0.1. */
-const SHIFT = 0.02, SHIFT_AT_WORK = 0.1;
+const SHIFT = 0.005, SHIFT_AT_WORK = 0.1;
 
 const problems = [];
 export function must(holds, what) {
@@ -82,6 +84,30 @@ export async function dropped(page, ...files) {
         for (const [name, content] of list) dataTransfer.items.add(new File([content], name));
         window.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
     }, files);
+}
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
+
+/** A server of the files below `directory`, packed by brotli if `isPacked`. */
+export async function serving(directory, { isPacked = false } = {}) {
+    const answers = new Map();
+    /** A file, or null without it: a browser asks for some by itself. */
+    const content = (name) => {
+        try {
+            const bytes = readFileSync(join(directory, name));
+            return isPacked ? brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }) : bytes;
+        } catch {
+            return null;
+        }
+    };
+    const server = createServer(({ url }, answer) => {
+        const path = new URL(url, "http://x").pathname, name = path.endsWith("/") ? `${path}index.html` : path;
+        if (!answers.has(name)) answers.set(name, content(name));
+        const bytes = answers.get(name), headers = { "Content-Type": TYPES[extname(name)] ?? "text/plain", ...(isPacked && { "Content-Encoding": "br" }) };
+        answer.writeHead(bytes ? 200 : 404, bytes ? headers : {}).end(bytes ?? "");
+    });
+    await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
+    return { address: `http://127.0.0.1:${server.address().port}/`, close: () => (server.closeAllConnections(), new Promise((closed) => server.close(closed))) };
 }
 
 /** Ends a test called `name`: prints the problems and `summary`. */
