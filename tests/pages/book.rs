@@ -160,7 +160,7 @@ fn every_picture_is_shown_small_and_said_in_words() {
     let mut files_there = BTreeSet::new();
     for file in files {
         let name = file.file_name().into_string().expect("ASCII");
-        if ends_in(&name, "svg") || ends_in(&name, "png") {
+        if ["svg", "png", "webp"].iter().any(|ending| ends_in(&name, ending)) {
             assert!(file.metadata().expect("a file").len() < LARGEST, "{name} is too large");
             let _ = files_there.insert(name);
         }

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::figures::unprinted;
 use crate::output::{BlockOutput, matches};
-use crate::page::{Block, Page, Piece};
+use crate::page::{Block, Page, Piece, ends_in};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
@@ -177,8 +177,9 @@ fn run(page: &Page) -> Vec<String> {
 
 /// The difference of the picture `file` of `page` from the file `source` in `dir`.
 fn compare(page: &Page, file: &str, source: Option<&str>, dir: &Path) -> Option<String> {
-    // Pictures of commands that are not run: `tests/pages/trade.rs` and `main.rs`.
-    if ["trade.svg", "trade-shells.svg"].contains(&file) || page.name == "docs/paper.md" {
+    // Pictures of commands that are not run (`tests/pages/trade.rs` and `main.rs`), and of a browser (`tests/strangers/web_pictures.mjs`).
+    let is_command_run = !["trade.svg", "trade-shells.svg"].contains(&file) && page.name != "docs/paper.md";
+    if !is_command_run || ends_in(file, "webp") {
         return None;
     }
     let Some(source_name) = source else { return Some(format!("{}: which file is {file}?", page.name)) };
