@@ -230,6 +230,32 @@ async function hostile(page, what) {
     await ready(page);
 }
 
+/** A section that only the schema has, with fields; a list in which a word may come twice has none. */
+async function unlisted(browser) {
+    const page = await opened(browser, "schema", { width: 1280, height: 900 }, "about:blank", { waits: () => {} });
+    await page.addInitScript(() => {
+        const length = { type: "string", pattern: "mm", description: "Its width. A length with its unit." };
+        const layers = { type: "array", items: { enum: ["board", "paper"] } };
+        const kiln = { type: "object", properties: { width: length, layers } };
+        window.Worker = class extends Worker {
+            set onmessage(heard) {
+                super.onmessage = (event) => {
+                    const { schema } = event.data.answer ?? {};
+                    if (schema) schema.properties.kiln = kiln;
+                    heard(event);
+                };
+            }
+        };
+    });
+    await page.goto(ONE_FILE);
+    await ready(page);
+    await beside(page, "values");
+    await page.getByText("Kiln", { exact: true }).click();
+    must(await page.isVisible("#field-kiln\\.width"), "schema: a new section has no field");
+    must(!(await page.getByText("layers", { exact: true }).isVisible()), "schema: a list with an order has boxes to tick");
+    await page.context().close();
+}
+
 /** The page on a server: installed, it opens without one. */
 async function served(browser) {
     const server = await serving(pages);
@@ -352,6 +378,6 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         must(false, `${what}, at ${/web\.mjs:\d+/.exec(error.stack.replace(/^[^]*?\n    at /, ""))}: ${error.message.split("\n").slice(0, 3).join(" ")}`);
     }
 }
-for (const [what, work] of [["server", served], ["book", linked], ["files", returned]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
+for (const [what, work] of [["schema", unlisted], ["server", served], ["book", linked], ["files", returned]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
 await browser.close();
 ended("web", `least (most) ms: first preview ${times.first}, preview after an edit ${times.edit}, files proven ${times.build}`);

@@ -16,6 +16,8 @@ const PRODUCTS = {
     },
 };
 const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
+/** The sections that have a place here; others of the schema come behind them. */
+const PLACED = Object.values(PRODUCTS).flatMap(({ groups }) => groups);
 /** Choices of keys that mean another thing for a drawing. */
 const SEPARATOR = { words: "sealed by", choices: [["", "iron"], ["separator", "press, with paper between"]] };
 
@@ -40,7 +42,9 @@ export class Form {
     #make(path) {
         const [section, key] = path.includes(".") ? path.split(".") : ["", path];
         const property = section ? this.#schema.properties[section]?.properties?.[key] : this.#schema.properties[key];
-        if (!property || property.type === "object" || (property.type === "array" && !property.items?.enum)) return undefined;
+        // A list whose order or number counts is text.
+        const isText = property?.type === "object" || (property?.type === "array" && !(property.items?.enum && property.uniqueItems));
+        if (!property || isText) return undefined;
         const tell = (value, isDragged = false) => this.#tell(path, value, isDragged ? `slide ${path}` : null);
         const special = path === "mask.kind" && this.#product === "drawing" ? SEPARATOR : path === "machine.profile" ? { choices: this.#machines.map(({ name }) => name) } : {};
         const field = new Field(path, property, { tell, settle: this.#settle, ...special });
@@ -54,12 +58,13 @@ export class Form {
         this.#fields.clear();
         const { first, groups, without } = PRODUCTS[product];
         const top = ["name", ...first].map((path) => this.#make(path)).filter(Boolean);
-        this.#groups = groups.filter((section) => this.#schema.properties[section]?.properties).map((section) => {
+        const all = [...groups, ...Object.keys(this.#schema.properties).filter((section) => !PLACED.includes(section))];
+        this.#groups = all.filter((section) => this.#schema.properties[section]?.properties).map((section) => {
             const keys = Object.keys(this.#schema.properties[section].properties).map((key) => `${section}.${key}`);
             const fields = keys.filter((path) => !first.includes(path) && !without.includes(path)).map((path) => [path, this.#make(path)]).filter(([, field]) => field);
             const count = element("small"), given = element("div"), rest = element("div"), more = element("summary");
             const folded = element("details", {}, more, rest);
-            const box = element("details", {}, element("summary", {}, TITLES[section] ?? section, count), given, folded);
+            const box = element("details", {}, element("summary", {}, TITLES[section] ?? section.charAt(0).toUpperCase() + section.slice(1), count), given, folded);
             return { section, fields: new Map(fields), box, count, given, rest, more, folded };
         });
         byId("form").replaceChildren(...top.map(({ box }) => box), ...this.#groups.map(({ box }) => box));
