@@ -75,7 +75,8 @@ impl Mended {
                     star.pitch = Length(star.pitch.0.max(star.tube_width.0 + spec.frame.plate_thickness.0));
                 }
             }
-            ("inlet", _) => spec.inlet = None,
+            // Without a hose, the ports of a drawing would be told to be missing.
+            ("inlet", _) if spec.drawing.is_none() => spec.inlet = None,
             ("sheet", "hole_diameter") => spec.sheet.hole_diameter = Length(0.0),
             ("sheet", "width" | "height") => (spec.sheet.width, spec.sheet.height) = (None, None),
             ("machine", "profile") => self.machine.bench.work_area = None,

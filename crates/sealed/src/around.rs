@@ -8,7 +8,7 @@ use crate::fault::{ShapeCode, quoted};
 use crate::join::network;
 use crate::layout::{Layout, Line, LineUse};
 use crate::loose::{crossings, loose_ends};
-use crate::mouth::Mouth;
+use crate::mouth::{Mouth, ON_SIDE};
 use crate::notes::{SealingNotes, named};
 use crate::offset::{CenterLines, center_lines};
 use crate::open_ends::closed_at_ports;
@@ -179,7 +179,7 @@ fn lengthened(wall: Wall, by: f64) -> Wall {
 
 /// The closed centre line `path` without the parts past its mouths, `half` mm outside the air's edges.
 pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
-    let around = path.bounds().grown(1e-6);
+    let around = path.bounds().grown(ON_SIDE);
     let mut parts = vec![path];
     for mouth in mouths {
         let across = mouth.half + half;
@@ -187,7 +187,7 @@ pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> 
         if !sides.iter().all(|side| around.contains(*side)) {
             continue;
         }
-        let on = |path: &Path| sides.iter().all(|side| path.distance(*side) < 1e-6);
+        let on = |path: &Path| sides.iter().all(|side| path.distance(*side) < ON_SIDE);
         let Some(at) = parts.iter().position(on) else { continue };
         let part = parts.swap_remove(at);
         if part.closed {

@@ -10,6 +10,7 @@ use crate::faces::{walk_path, walks};
 use crate::join::{Network, network};
 use crate::joints::{Joints, MouthEnds, meetings};
 use crate::leak::Leak;
+use crate::mouth::ON_SIDE;
 use crate::{Role, SealedShape};
 use geom::{Enclosures, Line, Path, Point};
 
@@ -17,6 +18,9 @@ use geom::{Enclosures, Line, Path, Point};
 const GAP: f64 = 1e-9;
 /// Slack of a port's width, mm.
 const SLACK: f64 = 1e-6;
+/// A port is narrow where the bands leave less of it by more than this, mm: the sides of its channel are offsets, each as far off as
+/// their joints.
+const NARROWER: f64 = 2.0 * ON_SIDE;
 
 /// A region that air can reach. Seams, ports and valves are counted from 0 in the shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,7 +74,7 @@ impl SealedShape {
         for (i, port) in self.ports.iter().enumerate() {
             match joints.width(self, i) {
                 None => leaks.push(Leak::SealedPort(i)),
-                Some(width) if width < port.width - SLACK => leaks.push(Leak::NarrowPort(i, width)),
+                Some(width) if width < port.width - NARROWER => leaks.push(Leak::NarrowPort(i, width)),
                 Some(_) => {}
             }
         }

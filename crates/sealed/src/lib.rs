@@ -46,6 +46,7 @@ mod separate;
 mod separator;
 mod sets;
 mod sketch;
+mod spikes;
 mod spine;
 mod unsound;
 mod valve;

@@ -1,8 +1,12 @@
 //! **Mouths**: where a port opens an edge. A channel as wide as the hose leads straight outwards from the edge; the seam along its sides
 //! ends past the cut.
 
+use crate::offset_graph::ONE;
 use crate::sketch::PortPlace;
 use geom::{Line, Path, Point, Segment, Vec2, intersections};
+
+/// Points nearer to the sides of a channel lie on them, mm: twice by how much the joints of offsets are moved.
+pub(super) const ON_SIDE: f64 = 2.0 * ONE;
 
 /// The mouth of a port.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,16 +37,16 @@ impl Mouth {
     /// Whether the corner `p` of a centre line `half` mm outside the air is one where the channel itself begins or ends.
     pub(super) fn has_corner(&self, p: Point, half: f64) -> bool {
         let (along, across) = self.local(p);
-        (across.abs() - self.half - half).abs() < 1e-6
-            && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
+        (across.abs() - self.half - half).abs() < ON_SIDE
+            && (-self.depth..=self.beyond + half + ON_SIDE).contains(&along)
     }
 
     /// Whether the point `p` of the air's edge lies on the channel outside the drawn edge: on one of its sides, or its end.
     pub(super) fn has_edge(&self, p: Point) -> bool {
         let (along, across) = self.local(p);
-        let is_within = along > 1e-6 - self.length && along < self.beyond + 1e-6;
-        let is_on = (across.abs() - self.half).abs() < 1e-6 || (along - self.beyond).abs() < 1e-6;
-        is_within && is_on && across.abs() < self.half + 1e-6
+        let is_within = along > ON_SIDE - self.length && along < self.beyond + ON_SIDE;
+        let is_on = (across.abs() - self.half).abs() < ON_SIDE || (along - self.beyond).abs() < ON_SIDE;
+        is_within && is_on && across.abs() < self.half + ON_SIDE
     }
 
     /// Whether `p` lies beside the channel, at most `aside` mm from it.
@@ -67,14 +71,22 @@ impl Mouth {
     pub(super) fn sides_begin(&self, path: &Path, across: f64) -> Option<f64> {
         let side = |sign: f64| {
             let lines = path.segments.iter().filter(|segment| matches!(segment, Segment::Line(_)));
-            let ends = lines.map(|line| [line.start(), line.end()].map(|p| self.local(p)));
-            let is_on = |(_, aside): &(f64, f64)| (sign * aside - across).abs() < 1e-6;
-            let along = ends.filter(|ends| ends.iter().all(is_on)).map(|ends| ends.map(|(along, _)| along));
-            let ahead = along.filter(|[a, b]| a.max(*b) > 0.0).map(|[a, b]| a.min(b).max(0.0));
-            ahead.reduce(f64::min)
+            let ahead = lines.filter_map(|line| self.part_ahead([line.start(), line.end()]));
+            let is_on = |(_, aside): &(f64, f64)| (sign * aside - across).abs() < ON_SIDE;
+            let begins = ahead.filter(|ends| ends.iter().all(is_on)).map(|[(along, _), _]| along);
+            begins.reduce(f64::min)
         };
         let begin = side(1.0)?.max(side(-1.0)?);
-        Some(if begin < 1e-6 { 0.0 } else { begin })
+        Some(if begin < ON_SIDE { 0.0 } else { begin })
+    }
+
+    /// The ends, from the middle of the mouth, of the part of a line that lies in front of the mouth, the nearer one first.
+    fn part_ahead(&self, ends: [Point; 2]) -> Option<[(f64, f64); 2]> {
+        let [a, b] = ends.map(|p| self.local(p));
+        let [near, far] = if a.0 < b.0 { [a, b] } else { [b, a] };
+        let part = (-near.0 / (far.0 - near.0)).clamp(0.0, 1.0);
+        let begin = if near.0 < 0.0 { (0.0, near.1 + (far.1 - near.1) * part) } else { near };
+        (far.0 > 0.0).then_some([begin, far])
     }
 
     /// The closed `path` without the part farther out than `along` mm past the mouth, on sides `across` mm from its middle: an
@@ -83,7 +95,7 @@ impl Mouth {
     pub(super) fn open(&self, path: &Path, along: f64, across: f64) -> Option<Path> {
         let sides = [across, -across].map(|across| self.point(along, across));
         let [a, b] = [path.nearest(sides[0])?, path.nearest(sides[1])?];
-        if a.distance.max(b.distance) > 1e-6 {
+        if a.distance.max(b.distance) > ON_SIDE {
             return None;
         }
         let length = path.length();

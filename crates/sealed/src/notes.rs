@@ -5,6 +5,7 @@ use crate::crossings::{PieceCrossing, crossings_of_open, split_pieces};
 use crate::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
 use crate::join::{Network, network};
 use crate::sketch::DrawnCurve;
+use crate::spikes::{Spike, without_spikes};
 use geom::Point;
 
 /// Repairs, warnings and faults in the order in which they are found.
@@ -47,7 +48,15 @@ impl SealingNotes {
 
     /// The network of drawn curves, mended, and the names of the curves.
     pub(super) fn mended(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Network, Vec<String>) {
-        let (pieces, names) = self.mended_pieces(drawn, join);
+        let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
+        let (pieces, spikes) = without_spikes(pieces(drawn, &mut self.repairs, &mut self.faults), join);
+        for Spike { source, tip, length } in spikes {
+            let names = named(&[source], &names);
+            let what =
+                format!("a spike in {}, {length:.3} mm out and back on itself, left out", quoted(&names));
+            self.repairs.push(Repair { names, place: tip, what });
+        }
+        let pieces = self.once(pieces, &names, join);
         let network = self.joined(&pieces, &names, join);
         (pieces, network, names)
     }
@@ -56,13 +65,18 @@ impl SealingNotes {
     pub(super) fn mended_pieces(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Vec<String>) {
         let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
         let pieces = pieces(drawn, &mut self.repairs, &mut self.faults);
+        (self.once(pieces, &names, join), names)
+    }
+
+    /// The pieces of curves with `names`, each stretch once.
+    fn once(&mut self, pieces: Vec<Piece>, names: &[String], join: f64) -> Vec<Piece> {
         let (pieces, doubled) = self.unless_crowded(without_doubles(pieces, join));
         for (sources, place) in doubled {
-            let names = named(&sources, &names);
+            let names = named(&sources, names);
             let what = format!("a curve drawn twice in {} merged", quoted(&names));
             self.repairs.push(Repair { names, place, what });
         }
-        (pieces, names)
+        pieces
     }
 
     /// The network of `pieces` of curves with `names`.

@@ -39,6 +39,10 @@ pub(super) struct Opening {
     pub may_wait: bool,
 }
 
+/// Parts of `join` by which a channel may be narrower than the hose needs: a tube as wide as the hose, to the rounding of the drawing, takes
+/// it.
+const ROUNDED: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
+
 /// Channels through the outer `edges` for the ports that are not taken.
 pub(super) fn open_ports(
     sketch: &Sketch,
@@ -60,8 +64,17 @@ pub(super) fn open_ports(
         }
         let Some(nearest) = nearest_path(drawn.iter().zip(around.iter().copied()), place) else { continue };
         let paths = (&*edges[nearest], &drawn[nearest]);
+        let rounded = |why| match why {
+            NoChannel::Narrow { .. } | NoChannel::Deep { .. } => {
+                let mut widths = ROUNDED.iter().map(|part| width - part * rules.join);
+                widths
+                    .find_map(|width| channel(paths, number, &port.place, width, length, beyond).ok())
+                    .ok_or(why)
+            }
+            why => Err(why),
+        };
         let made = unambiguous(&port.place, &drawn)
-            .and_then(|()| channel(paths, number, &port.place, width, length, beyond));
+            .and_then(|()| channel(paths, number, &port.place, width, length, beyond).or_else(rounded));
         match made {
             Ok((path, mouth)) => {
                 *edges[nearest] = path;
@@ -156,6 +169,58 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
                  thinner hose"
             );
             notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*depth, *most]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use geom::{Path, Point};
+
+    use crate::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch, sealed_shape};
+
+    const RULES: Rules = Rules {
+        band: 2.0,
+        allowance: 8.0,
+        join: 0.05,
+        overlap: 5.0,
+        port_width: 6.0,
+        overrun: 1.0,
+        least_passage: 5.0,
+        flange: 10.0,
+    };
+
+    /// Necks as wide as the hose or wider, whose sides are not quite parallel, with a closed end and an open one.
+    #[test]
+    fn a_neck_may_flare_by_the_rounding_of_a_drawing() {
+        let p = Point::new;
+        for (length, flare, skew) in [5.0, 20.0, 60.0]
+            .into_iter()
+            .flat_map(|length| [0.0, 0.0005, 0.002, -0.002, 0.02, -0.02, 0.1].map(|flare| (length, flare)))
+            .flat_map(|(length, flare)| [0.0, 1.0].map(|skew| (length, flare, skew)))
+        {
+            for half in [2.9995, 3.0, 3.005, 4.0, 6.0] {
+                let ends = [
+                    p(-length, -half - 0.5 * flare * (1.0 - skew)),
+                    p(0.0, -half),
+                    p(0.0, -30.0),
+                    p(100.0, -30.0),
+                    p(100.0, 30.0),
+                    p(0.0, 30.0),
+                    p(0.0, half),
+                    p(-length, half + 0.5 * flare),
+                ];
+                for path in [Path::through(&ends), Path::polygon(&ends)] {
+                    let air = vec![DrawnCurve { name: "edge".to_owned(), path }];
+                    let place = PortPlace::Across([p(-length - 3.0, 0.0), p(0.4 - length, 0.0)]);
+                    let ports = vec![DrawnPort { name: "port".to_owned(), place }];
+                    let sealing = sealed_shape(&Sketch { air, ports, ..Sketch::default() }, &RULES);
+                    let what = format!("length {length}, flare {flare}, skew {skew}, half {half}");
+                    let width =
+                        sealing.unwrap_or_else(|faults| panic!("{what}: {faults:?}")).shape.ports[0].width;
+                    assert!(width >= RULES.port_width - RULES.join - 1e-9, "{what}: {width}");
+                }
+            }
         }
     }
 }

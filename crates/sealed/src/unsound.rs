@@ -3,7 +3,7 @@
 use crate::fault::{ShapeCode, ShapeFault, quoted};
 use crate::layout::Layout;
 use crate::leak::Leak;
-use crate::mouth::Mouth;
+use crate::mouth::{Mouth, ON_SIDE};
 use crate::notes::SealingNotes;
 use crate::sketch::{Rules, Sketch};
 use crate::{Chamber, SealedShape};
@@ -22,12 +22,14 @@ pub(super) fn unsound_chambers(
         leaking(leak, shape, lines, sketch, rules, notes);
     }
     let chambers = topology.chambers.iter().zip(&topology.insides);
-    // A leak may be the reason why a port is not recognised as that of its chamber.
+    // A leak may be the reason why a port is not recognised as that of its chamber: the band goes on past its mouth, or closes it.
     let has_mouth = |chamber: &Chamber| {
         let path = &lines.lines[chamber.outside].path;
         lines.mouths.iter().any(|mouth| {
             let across = mouth.half + rules.band / 2.0;
-            [across, -across].iter().any(|side| path.distance(mouth.point(rules.overrun, *side)) < 1e-6)
+            let sides = [across, -across].map(|side| mouth.point(rules.overrun, side));
+            sides.iter().any(|side| path.distance(*side) < ON_SIDE)
+                || path.distance(mouth.at) <= across + mouth.beyond
         })
     };
     let is_closed = |chamber: &Chamber| {
@@ -64,6 +66,18 @@ fn leaking(
         .any(|fault| is_band(fault.code) && fault.place.distance(place) <= 4.0 * rules.band);
     if known && !matches!(leak, Leak::SealedPort(_) | Leak::NarrowPort(..)) {
         return;
+    }
+    // A band or an edge that is told to close the channel of a port seals the port.
+    if let Leak::SealedPort(port) | Leak::NarrowPort(port, _) = leak {
+        let mut numbers: Vec<usize> = lines.mouths.iter().map(|mouth| mouth.port).collect();
+        numbers.sort_unstable();
+        let name = numbers.get(*port).map(|number| &sketch.ports[*number].name);
+        let is_told = |fault: &ShapeFault| {
+            fault.code == ShapeCode::ChannelOverlap && name.is_some_and(|name| fault.names.contains(name))
+        };
+        if notes.faults.iter().any(is_told) {
+            return;
+        }
     }
     let of = |seam: usize| lines.lines[seam].names.clone();
     let names = match leak {
