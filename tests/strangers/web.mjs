@@ -149,7 +149,7 @@ async function shell(page, what) {
     await page.waitForFunction(() => document.getElementById("shell-note").textContent === "Stopped.");
     await page.click("#shell-start");
     await page.waitForFunction(() => document.getElementById("shell-note").textContent.startsWith("Computed"), null, { timeout: 4 * ORDINARY });
-    must(/^Inflates to 166 x 73/.test(await page.innerText("#verdict")), `${what}: the inflated drawing's verdict is ${await page.innerText("#verdict")}`);
+    must(/^Inflates to 166 × 73/.test(await page.innerText("#verdict")), `${what}: the inflated drawing's verdict is ${await page.innerText("#verdict")}`);
     const frame = page.frameLocator("#report-box iframe:not(.next)");
     await frame.locator("body.only-solid #solid-view").waitFor();
     must(await frame.locator("#solid-inflate").isEnabled(), `${what}: the scene of the shell does not inflate`);

@@ -52,7 +52,7 @@ export function tasks(use, must) {
             await fill("#object-form [name=mass]", "200 g");
             await use.press("Enter");
             await holds('name = "gripper"');
-            await verdict(/^Holds the object/);
+            await verdict(/^Holds the object with [\d.]+ N \([\d.]+ to [\d.]+[;)]/);
         },
         "try a value and take it back": async () => {
             await beside("values");
@@ -93,7 +93,7 @@ export function tasks(use, must) {
         "read the names on the picture": async () => {
             await beside("start");
             await use.choose(await near("#designs"), "hand-rest");
-            await verdict(/^Can be sealed: 5 seams, 2 h 16 min, 242 x 102 mm/);
+            await verdict(/^Can be sealed: 5 seams, 2 h 16 min, 242 × 102 mm/);
             await click("#zoom-in");
             await use.focus("#canvas .feel");
             const seam = await inner("#hint");

@@ -35,6 +35,15 @@ async function letters(page, what) {
         must(Math.min(least, zoomed) >= LEAST_LETTERS - 0.01, `${what}, ${name}: letters of ${least} px`);
         must(shown === all, `${what}, ${name}: after two clicks ${all - shown} of ${all} names are hidden`);
         await page.click("#zoom-fit");
+        if (!(await page.isVisible("#view-drawing"))) continue;
+        await page.click("#view-drawing");
+        const hidden = await page.$$eval("#canvas .feel", (curves) => curves.filter((curve) => {
+            const { a, d, e, f } = curve.getScreenCTM(), length = curve.getTotalLength();
+            const places = [0, 1, 2, 3, 4, 5, 6].map((part) => curve.getPointAtLength((part * length) / 7));
+            return !places.some(({ x, y }) => document.elementFromPoint(a * x + e, d * y + f) === curve);
+        }).map((curve) => curve.getAttribute("aria-label")));
+        must(hidden.length === 0, `${what}, ${name}: a pointer does not find ${hidden}`);
+        await page.click("#view-sheet");
     }
 }
 

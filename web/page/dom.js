@@ -28,6 +28,15 @@ export function hours(seconds) {
     return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${String(rest).padStart(2, "0")} min`;
 }
 
+/** The program's words as the page shows them: without marks of code, "×" between sides, and a range in parentheses: "85 N (72 to 101)". */
+export function readable(text) {
+    const ranged = text.replaceAll("`", "").replace(/(\d) x (?=\d)/g, "$1 × ").replace(/(\d(?: [a-zA-Z]+)?), ([\d.]+ to [\d.]+)/g, (words, value, range, index, whole) => {
+        const before = whole.slice(0, index);
+        return before.lastIndexOf("(") > before.lastIndexOf(")") ? words : `${value} (${range})`;
+    });
+    return ranged.replace(/(\d)\) \(/g, "$1; ");
+}
+
 /** Marks one of `tabs`, buttons of a tab list, as selected. */
 export function select(tabs, chosen) {
     for (const tab of tabs) {

@@ -57,11 +57,13 @@ export function drawingPicture({ box, figures }, faults, { hover, choose }) {
     const area = ({ role }) => (role === "air" ? 0 : role === "cut" ? 1 : 2);
     const content = [...figures].sort((a, b) => area(a) - area(b)).map((figure) => {
         const words = `${figure.id}, layer ${figure.layer}: ${figure.role ?? "without a role"}`;
-        const feel = shape("path", { class: "feel", d: figure.path, tabindex: 0, role: "button", "aria-label": words });
+        // A point is a line without a length: its round ends are seen.
+        const isPoint = !figure.path.includes("L"), line = isPoint ? `${figure.path}l0 0` : figure.path;
+        const feel = shape("path", { class: "feel", d: line, tabindex: 0, role: "button", "aria-label": words });
         hover(feel, words);
         feel.addEventListener("click", () => choose(figure, feel));
         feel.addEventListener("keydown", ({ key }) => key === "Enter" && choose(figure, feel));
-        return shape("g", {}, feel, shape("path", { class: `figure ${figure.role ? `${figure.role}-role` : "no-role"}`, d: figure.path, "pointer-events": "none" }));
+        return shape("g", {}, feel, shape("path", { class: `figure ${isPoint ? "point " : ""}${figure.role ? `${figure.role}-role` : "no-role"}`, d: line, "pointer-events": "none" }));
     });
     const labels = faults.flatMap(({ at_mm: place, warning, found }, index) => {
         if (!place) return [];

@@ -1,5 +1,5 @@
 // The program's answer about the present spec in words: verdict, numbers, precautions; and the files of a proven build.
-import { byId, element, hours } from "./dom.js";
+import { byId, element, hours, readable } from "./dom.js";
 import { zipped } from "./zip.js";
 
 /** Time for which a saved or printed file stays available, ms. */
@@ -58,9 +58,9 @@ export class Result {
         }
         const { tone, in_words: words } = overview.verdict;
         const [headline, ...rest] = words.split("; ");
-        this.#verdict(tone, headline.charAt(0).toUpperCase() + headline.slice(1), rest.join("; ").replaceAll("`", ""));
+        this.#verdict(tone, readable(headline.charAt(0).toUpperCase() + headline.slice(1)), readable(rest.join("; ")));
         this.#rows(overview);
-        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text.replaceAll("`", ""))));
+        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, readable(text))));
         byId("before").hidden = overview.before_you_seal.length === 0;
         const isDrawn = overview.stars === 0;
         byId("shell-box").hidden = !isDrawn || !overview.prediction;
@@ -75,7 +75,7 @@ export class Result {
     #rows({ rows, sealing_time_s, sheets_mm }) {
         const sheets = sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" × ")).join(", ");
         const all = [...rows, ["sealing takes", `${hours(sealing_time_s)}, without heating and pauses`], [sheets_mm.length > 1 ? "sheets" : "sheet", `${sheets} mm`]];
-        byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, text.replaceAll("`", ""))]));
+        byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, readable(text))]));
     }
 
     /** Offers the files of a proven build; `isWanted`: also those of a spec that fails its own load. */
