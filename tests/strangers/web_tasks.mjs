@@ -1,4 +1,4 @@
-// The tasks of a person in Chromium, at a desk and on a phone; then the page at five sizes as it begins, and the letters of its pictures.
+// The tasks of a person in Chromium, at a desk and on a phone; then the page at six sizes as it begins, and the letters of its pictures.
 // Usage: node web_tasks.mjs PAGES OUT, with NODE_PATH at playwright-core and axe-core. OUT gets pictures.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -60,7 +60,7 @@ await Promise.all(sizes.map(async ([what, viewport]) => {
     }
     await fits(page, what, 0.1);
 }));
-await Promise.all([[1366, 768], [1920, 1080], [1024, 768], [768, 1024], [390, 844]].map(async ([width, height]) => {
+await Promise.all([[1366, 768], [1920, 1080], [1024, 768], [768, 1024], [390, 844], [740, 360]].map(async ([width, height]) => {
     const what = `${width} x ${height}`, page = await opened(browser, what, { width, height }, onDisk(pages));
     await fits(page, what);
     const nested = await page.evaluate(() => {
@@ -73,4 +73,4 @@ await Promise.all([[1366, 768], [1920, 1080], [1024, 768], [768, 1024], [390, 84
     await page.context().close();
 }));
 await browser.close();
-ended("web_tasks", `10 tasks at ${sizes.length} sizes, letters at 5`);
+ended("web_tasks", `10 tasks at ${sizes.length} sizes, letters at 6`);
