@@ -43,7 +43,7 @@ pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
 
 #[pymethods]
 impl Design {
-    /// Its stars, bottom first; empty for a drawing, which has `pieces`.
+    /// Stars of the design, bottom first; empty for a drawing, which has `pieces`.
     #[getter]
     fn stars(slf: &Bound<'_, Self>) -> Vec<Star> {
         let star = |placed: &PlacedPart| Star { whole: slf.clone().unbind(), placed: *placed };
@@ -112,7 +112,7 @@ impl Design {
 }
 
 impl Design {
-    /// Its stars with their places; empty for a drawing.
+    /// Stars with their places; empty for a drawing.
     fn placed(&self) -> &[PlacedPart] {
         self.design.assembly().map_or(&[], |assembly| &assembly.stars)
     }
@@ -145,7 +145,7 @@ fn contours(paths: [&Path; 2]) -> (Contour, Contour) {
 
 #[pymethods]
 impl Star {
-    /// Its number, 1 = bottom.
+    /// Number of the star, 1 = bottom.
     #[getter]
     fn index(&self) -> usize {
         self.placed.index
@@ -278,7 +278,7 @@ impl Star {
         polygon(py, &[outline.outside.clone(), outline.hole.clone()], tolerance_mm)
     }
 
-    /// The same within 0.01 mm: shapely.geometry.shape(star).
+    /// The polygon within 0.01 mm: shapely.geometry.shape(star).
     #[getter]
     fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.polygon(py, TOLERANCE)

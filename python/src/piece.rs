@@ -19,7 +19,7 @@ use crate::spec::Spec;
 pub(crate) struct Piece {
     loaded: Arc<Loaded>,
     design: Arc<design::Design>,
-    /// Its place among all pieces of the design.
+    /// Place among all pieces of the design.
     place: usize,
 }
 

@@ -101,7 +101,7 @@ pub(crate) struct Contour(pub(crate) Path);
 
 #[pymethods]
 impl Contour {
-    /// Its pieces in order, each a Line or an Arc.
+    /// Pieces in order, each a Line or an Arc.
     #[getter]
     fn segments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let pieces = self.0.segments.iter().map(|segment| match segment {
@@ -126,7 +126,7 @@ impl Contour {
         self.0.closed
     }
 
-    /// Its length, mm.
+    /// Length of the contour, mm.
     #[getter]
     fn length_mm(&self) -> f64 {
         self.0.length()
@@ -138,7 +138,7 @@ impl Contour {
         self.0.closed.then(|| self.0.area())
     }
 
-    /// Its corners as a polygon that leaves it by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
+    /// Corners of a polygon that leaves the contour by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
     /// repeat its first point.
     #[pyo3(signature = (tolerance_mm = 0.01))]
     fn points<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyAny>> {

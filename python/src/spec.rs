@@ -99,7 +99,7 @@ impl Spec {
         of_text(py, text, name, &path)
     }
 
-    /// The same spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
+    /// A spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
     /// that its default holds. Comments and layout stay. Only all values together need be valid.
     ///
     /// Raises SpecError; its lines are those of the text with the new values.

@@ -44,7 +44,7 @@ pub struct Element {
     pub layers: Vec<String>,
     /// Number of names in `layers` that are its own, at least one for a DXF. SVG: id, label and colour. DXF: colour and layer.
     pub own_names: usize,
-    /// Its geometry.
+    /// Geometry of the element.
     pub figure: Figure,
     /// Line of the file, from 1.
     pub line: Option<usize>,
@@ -111,7 +111,7 @@ impl Fault {
 pub struct Place {
     /// The element's id, as in [`Element::id`].
     pub element: Option<String>,
-    /// Its layers, as in [`Element::layers`].
+    /// Layers of the element, as in [`Element::layers`].
     pub layers: Vec<String>,
     /// Number of its own names among them, as in [`Element::own_names`].
     pub own_names: usize,

@@ -12,7 +12,7 @@ use geom::{Arc, Line, Point, Segment, Vec2};
 pub(crate) trait Curve {
     /// The point at `t`.
     fn point(&self, t: f64) -> Point;
-    /// Its derivative by `t`.
+    /// The curve's derivative by `t`.
     fn derivative(&self, t: f64) -> Vec2;
 }
 
@@ -200,7 +200,7 @@ impl Biarc {
         })
     }
 
-    /// Its arcs; a line in place of one that leaves its chord by less than `straight`.
+    /// Both arcs; a line in place of one that leaves its chord by less than `straight`.
     fn segments(&self, straight: f64) -> [Segment; 2] {
         [0, 1].map(|i| {
             let [start, end] = [self.points[i], self.points[i + 1]];

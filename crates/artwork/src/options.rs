@@ -97,12 +97,12 @@ impl Unit {
         Self::TABLE.iter().map(|row| row.1)
     }
 
-    /// Its name.
+    /// Name of the unit.
     pub fn name(self) -> &'static str {
         self.row().1
     }
 
-    /// Its length, mm.
+    /// Length of the unit, mm.
     pub fn millimetres(self) -> f64 {
         self.row().2
     }

@@ -10,7 +10,7 @@ pub(crate) const HIGHEST_DEGREE: usize = 11;
 /// A non-uniform rational B-spline.
 #[derive(Debug)]
 pub(crate) struct Nurbs {
-    /// Its degree, 1 to [`HIGHEST_DEGREE`].
+    /// Degree of the polynomials, 1 to [`HIGHEST_DEGREE`].
     pub(crate) degree: usize,
     /// Knots in ascending order, as many as points + degree + 1.
     pub(crate) knots: Vec<f64>,
@@ -46,7 +46,7 @@ impl Nurbs {
             .then(|| "A weight of a spline is not greater than 0.".into())
     }
 
-    /// Its pieces; the spline has no finding.
+    /// Bezier pieces of a spline without a finding.
     ///
     /// The control points of the Bezier over a span [a, b] are the blossoms of a (p - j times) and b (j times).
     pub(crate) fn pieces(&self) -> Vec<Piece> {

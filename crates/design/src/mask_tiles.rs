@@ -245,7 +245,7 @@ fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, V
 /// A piece that is larger than the bed.
 struct TooLarge {
     what: &'static str,
-    /// Its extent where it is least too large, mm.
+    /// Extent of the piece where it is least too large, mm.
     size: [f64; 2],
 }
 

@@ -51,7 +51,7 @@ pub struct AtPressure {
     pub pressure_kPa: f64,
     /// Inner radius of the star without an object.
     pub final_radius_mm: f64,
-    /// Its range; `None` if unknown.
+    /// Range of the final radius; `None` if unknown.
     pub radius_range_mm: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,
@@ -67,7 +67,7 @@ pub struct AtRadius {
     pub radius_mm: f64,
     /// Radial force.
     pub force_N: f64,
-    /// Its range; `None` if unknown.
+    /// Range of the force; `None` if unknown.
     pub force_range_N: Option<Interval>,
 }
 
@@ -79,7 +79,7 @@ pub struct AtPoints {
     pub points: u32,
     /// 1 - `rho_f` / `rho_0`.
     pub contraction: f64,
-    /// Its range; `None` if unknown.
+    /// Range of the contraction; `None` if unknown.
     pub contraction_range: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,

@@ -9,7 +9,7 @@ use spec::units::Length;
 pub struct MeshedValue {
     /// The number.
     pub value: f64,
-    /// Its mesh error.
+    /// Mesh error of the value.
     pub mesh_error: f64,
 }
 
@@ -25,10 +25,10 @@ impl MeshedValue {
 pub struct MeshedPlace {
     /// The number: N/mm of pull, mm of height, or a stretch.
     pub value: f64,
-    /// Its mesh error. Where a hinge turns on a point there is no largest value; then the mesh error is as large as
+    /// Mesh error of the value. Where a hinge turns on a point there is no largest value; then the mesh error is as large as
     /// the value.
     pub mesh_error: f64,
-    /// Its position on the flat piece; of a star in the half sector next to corner 1, the axis at the origin.
+    /// Position of the value on the flat piece; of a star in the half sector next to corner 1, the axis at the origin.
     pub at_mm: [f64; 2],
 }
 

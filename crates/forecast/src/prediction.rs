@@ -69,13 +69,13 @@ pub struct Verdict {
     pub code: Option<&'static str>,
     /// Radial force of all stars.
     pub force_N: Option<f64>,
-    /// Its range.
+    /// Range of the force of all stars.
     pub force_range_N: Option<Interval>,
     /// Radial force that friction needs to hold the mass.
     pub needed_N: Option<f64>,
     /// Radial force of the star that presses hardest.
     pub star_force_N: Option<f64>,
-    /// Its range.
+    /// Range of the hardest star's force.
     pub star_force_range_N: Option<Interval>,
     /// The largest radial force of one star, if its flap stays straight; `None` if unknown.
     pub star_flap_force_N: Option<f64>,
@@ -276,7 +276,7 @@ keyed! {
         /// Predictions at several pressures. Only if the spec has no pressure.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub pressures: Option<Vec<PressureRow>>,
-        /// The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only.
+        /// The star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only.
         pub nonlinear: Option<Nonlinear>,
         /// Why this model was used, residuals, iterations, error estimates and `warnings`.
         pub evidence: ModelEvidence,
@@ -293,7 +293,7 @@ keyed! {
     }
 }
 
-/// Those of `values` that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
+/// The values that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
 pub fn distinct<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
     let mut distinct: Vec<(T, Vec<usize>)> = Vec::new();
     for (number, one) in (1..).zip(values) {
@@ -337,7 +337,7 @@ impl FabricStretch {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
 
-/// The same star with the model's own V_bar.
+/// The star with the model's own volume function V_bar, whose hinges are asymmetric, in place of a linear one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Nonlinear {

@@ -20,11 +20,11 @@ pub struct PressureRow {
     pub pressure_kPa: f64,
     /// Final inner radius.
     pub final_radius_mm: f64,
-    /// Its range; `None` if unknown.
+    /// Range of the final radius; `None` if unknown.
     pub radius_range_mm: Option<Interval>,
     /// Radial force on the object; needs object_radius.
     pub object_force_N: Option<f64>,
-    /// Its range; `None` if unknown.
+    /// Range of the force; `None` if unknown.
     pub force_range_N: Option<Interval>,
     /// Stretch p W / Y of the fabric.
     pub stretch: f64,

@@ -69,7 +69,7 @@ class Spec:
         Raises DesignError with the reasons and the nearest objects if there is none, UsageError for wrong arguments.
         """
     def replace(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Spec:
-        """The same spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
+        """A spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
         that its default holds. Comments and layout stay. Only all values together need be valid.
 
         Raises SpecError; its lines are those of the text with the new values.
@@ -130,18 +130,18 @@ class Contour:
     """A chain of lines and arcs, exact, in mm."""
     @property
     def segments(self) -> tuple[Line | Arc, ...]:
-        """Its pieces in order, each a Line or an Arc."""
+        """Pieces in order, each a Line or an Arc."""
     @property
     def closed(self) -> bool:
         """Whether it ends where it begins."""
     @property
     def length_mm(self) -> float:
-        """Its length, mm."""
+        """Length of the contour, mm."""
     @property
     def area_mm2(self) -> float | None:
         """The area that it encloses, mm^2, positive if it runs counterclockwise; None if it is open."""
     def points(self, tolerance_mm: float = 0.01) -> _Floats:
-        """Its corners as a polygon that leaves it by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
+        """Corners of a polygon that leaves the contour by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
         repeat its first point.
         """
     @property
@@ -153,7 +153,7 @@ class Star:
     """One star of a design, in its own frame: the axis at the origin, corner 1 on +X."""
     @property
     def index(self) -> int:
-        """Its number, 1 = bottom."""
+        """Number of the star, 1 = bottom."""
     @property
     def sheet(self) -> int:
         """Number of its sheet, from 1."""
@@ -211,7 +211,7 @@ class Star:
         """The cut fabric as a GeoJSON polygon with its hole, within `tolerance_mm`: shapely.geometry.shape(star.polygon())."""
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """The same within 0.01 mm: shapely.geometry.shape(star)."""
+        """The polygon within 0.01 mm: shapely.geometry.shape(star)."""
 
 @final
 class Seam:
@@ -271,7 +271,7 @@ class Design:
     """The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above."""
     @property
     def stars(self) -> list[Star]:
-        """Its stars, bottom first; empty for a drawing, which has `pieces`."""
+        """Stars of the design, bottom first; empty for a drawing, which has `pieces`."""
     @property
     def pieces(self) -> list[Piece]:
         """The pieces, stars or drawn ones, with their outlines and seams."""
@@ -478,7 +478,7 @@ class Prediction:
         """Predictions at several pressures. Only if the spec has no pressure."""
     @property
     def nonlinear(self) -> dict[str, Any] | None:
-        """The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only."""
+        """The star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only."""
     @property
     def evidence(self) -> dict[str, Any]:
         """Why this model was used, residuals, iterations, error estimates and `warnings`."""
@@ -524,7 +524,7 @@ class DrawnPrediction:
         """Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles."""
     @property
     def burst_range_kPa(self) -> tuple[float, float] | None:
-        """Its range: mesh errors, and how the pull may grow with the pressure."""
+        """Range of the burst pressure: mesh errors, and how the pull may grow with the pressure."""
     @property
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
@@ -555,7 +555,7 @@ class Chamber:
     """
     @property
     def chamber(self) -> float:
-        """Its number, from 1."""
+        """Number of the chamber, from 1."""
     @property
     def at_mm(self) -> tuple[float, float]:
         """The middle of its box."""
@@ -597,7 +597,7 @@ class Chamber:
         """Pressure at which the seal peels."""
     @property
     def burst_range_kPa(self) -> tuple[float, float] | None:
-        """Its range."""
+        """Range of the burst pressure."""
     @property
     def largest_stretch(self) -> dict[str, Any] | None:
         """Largest principal stretch."""
@@ -615,7 +615,7 @@ class Chamber:
         """Whether it may leave that plane: it leaves it, or the mesh error is too large to tell."""
     @property
     def seams(self) -> list[dict[str, Any]] | None:
-        """Its seams."""
+        """Seams of the chamber."""
     @property
     def unknowns(self) -> Any:
         """Unknowns of each mesh, coarse to fine."""

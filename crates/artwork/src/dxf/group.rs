@@ -54,9 +54,9 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
 /// An entity or a table entry: a type (code 0) and the groups up to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record<'a, 'g> {
-    /// Its type, such as LINE.
+    /// Type of the record, such as LINE.
     pub(super) kind: &'a str,
-    /// Its groups without the type and without the data of other programs (codes from 1000).
+    /// Groups of the record without the type and without the data of other programs (codes from 1000).
     pub(super) groups: &'g [Group<'a>],
     /// The line of its type.
     pub(super) line: usize,
@@ -128,7 +128,7 @@ impl<'a> Record<'a, '_> {
         Flaw::At { text, line: self.line }
     }
 
-    /// Its type is not read.
+    /// The flaw of a record whose type is not read.
     pub(super) fn unknown(&self) -> Flaw {
         Flaw::Lost(format!("Entities of type {} are not read; it is left out.", self.kind))
     }

@@ -9,14 +9,14 @@ use super::group::{Group, Record, records};
 pub(super) struct Block<'a, 'g> {
     /// The BLOCK record, which has the base point and the flags.
     pub(super) head: Record<'a, 'g>,
-    /// Its entities.
+    /// Entities of the block.
     pub(super) entities: Vec<Record<'a, 'g>>,
 }
 
 /// Visibility of a layer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layer {
-    /// Its colour is negative.
+    /// Switched off: the layer's colour is negative.
     pub(super) off: bool,
     /// Frozen: inserts on it show nothing either.
     pub(super) frozen: bool,

@@ -110,7 +110,7 @@ impl Selector {
         }
     }
 
-    /// Its rank by CSS: ids, then classes, attributes and pseudo-classes, then tags, a byte each.
+    /// Rank of the selector by CSS: ids, then classes, attributes and pseudo-classes, then tags, a byte each.
     pub(super) fn specificity(&self) -> u32 {
         self.compounds.iter().map(Compound::specificity).fold(0, u32::saturating_add)
     }

@@ -39,7 +39,7 @@ pub(super) struct Declaration {
 /// A part of a style sheet that is not applied.
 #[derive(Debug, PartialEq)]
 pub(super) struct Unread {
-    /// Its selector or its beginning.
+    /// Selector of the rule, or the rule's beginning.
     pub(super) text: String,
     /// Whether it may hide, show or move something; else it colours at most.
     pub(super) changes_geometry: bool,

@@ -214,11 +214,11 @@ fn note_replaced(
 /// The program that saved a file last, as far as its unit depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Writer {
-    /// Its px and its plain numbers are 1/72 in.
+    /// Illustrator, whose px and plain numbers are 1/72 in.
     Illustrator,
-    /// Before 0.92; its px and its plain numbers are 1/90 in.
+    /// Inkscape before 0.92, whose px and plain numbers are 1/90 in.
     OldInkscape,
-    /// Its plain numbers are 1/96 in.
+    /// Inkscape from 0.92 on, whose plain numbers are 1/96 in.
     Inkscape,
     Unknown,
 }

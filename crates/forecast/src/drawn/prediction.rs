@@ -35,7 +35,7 @@ keyed! {
         pub volume_mm3: Option<MeshedValue>,
         /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles.
         pub burst_pressure_kPa: Option<f64>,
-        /// Its range: mesh errors, and how the pull may grow with the pressure.
+        /// Range of the burst pressure: mesh errors, and how the pull may grow with the pressure.
         pub burst_range_kPa: Option<Interval>,
         /// Burst pressure over the pressure. Needs both.
         pub burst_margin: Option<f64>,
@@ -78,7 +78,7 @@ keyed! {
     #[derive(Clone, Debug, Default, PartialEq, Serialize)]
     #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
     pub struct ChamberPrediction {
-        /// Its number, from 1.
+        /// Number of the chamber, from 1.
         pub chamber: usize,
         /// The middle of its box.
         pub at_mm: [f64; 2],
@@ -106,7 +106,7 @@ keyed! {
         pub seal_pull_N_per_mm: Option<MeshedPlace>,
         /// Pressure at which the seal peels.
         pub burst_pressure_kPa: Option<f64>,
-        /// Its range.
+        /// Range of the burst pressure.
         pub burst_range_kPa: Option<Interval>,
         /// Largest principal stretch.
         pub largest_stretch: Option<MeshedPlace>,
@@ -118,7 +118,7 @@ keyed! {
         pub plane: Option<PlaneAnswer>,
         /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
         pub leaves_plane: Option<bool>,
-        /// Its seams.
+        /// Seams of the chamber.
         pub seams: Option<Vec<SeamPrediction>>,
         /// Unknowns of each mesh, coarse to fine.
         pub unknowns: Option<Vec<usize>>,
@@ -224,7 +224,7 @@ impl ChamberPrediction {
         self.burst_range_kPa = self.burst_range_kPa.map(|range| range.map(|end| six(ratio * end)));
     }
 
-    /// Its name among `count` chambers, as text.
+    /// Name of the chamber among `count` chambers, as text.
     pub(super) fn name(&self, count: usize) -> String {
         let [x, y] = self.at_mm;
         if count == 1 {

@@ -13,7 +13,7 @@ use spec::units::Length;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct SeamPrediction {
-    /// Its name, as on drawings and in programs.
+    /// Name of the seam, as on drawings and in programs.
     pub seam: String,
     /// The largest pull.
     pub pull_N_per_mm: MeshedPlace,

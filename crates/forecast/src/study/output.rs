@@ -21,7 +21,7 @@ pub(super) struct StudyRow<'a> {
 }
 
 impl StudyRow<'_> {
-    /// Its case, if the values that depend on the pressure but not on a model are written.
+    /// Case of the row, if the values that depend on the pressure but not on a model are written.
     pub(super) fn at_pressure(&self) -> Option<&Case> {
         (self.all || self.own().is_some()).then_some(&self.answer.case)
     }
@@ -101,7 +101,7 @@ impl ModelKinds {
 }
 
 impl OutputColumn {
-    /// Its value; `None` if unknown.
+    /// Value of the column in `row`; `None` if unknown.
     pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
         match self.of {
             Of::Any(of) | Of::Shell(of) => of(row),
@@ -136,13 +136,13 @@ pub enum ColumnKind {
 /// A column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its name, with its unit where it has one: "`star.tube_width_mm`". It never changes.
+    /// Name of the column, with its unit where it has one: "`star.tube_width_mm`". It never changes.
     pub name: String,
     /// The unit, as people write it: "N/m"; `None` for plain numbers and words.
     pub unit: Option<&'static str>,
     /// Type of its values.
     pub kind: ColumnKind,
-    /// Its meaning.
+    /// Meaning of the column.
     pub about: String,
 }
 

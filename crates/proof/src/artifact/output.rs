@@ -107,7 +107,7 @@ impl Output {
         }
     }
 
-    /// Its name without paper and ending.
+    /// Name of the file without paper and ending.
     fn stem(&self) -> String {
         let face = if self.mirrored { "-mirrored" } else { "" };
         let tile = self.tile.map_or(String::new(), |tile| format!("-piece-{tile}"));
@@ -115,7 +115,7 @@ impl Output {
         format!("{}{}{valves}{face}{tile}", self.part.prefix(), self.kind.subject().name())
     }
 
-    /// Its name in the output directory: letters, digits, `-` and `.` only.
+    /// Name of the file in the output directory: letters, digits, `-` and `.` only.
     pub fn name(&self) -> String {
         let paper = self.paper.and_then(Paper::name).map_or(String::new(), |paper| format!("-{paper}"));
         let ending = if self.ngc { NGC } else { self.kind.format().ending() };
@@ -278,7 +278,7 @@ impl Output {
         }
     }
 
-    /// The same for each paper that takes it, or with `fits` false for each that does not.
+    /// One output for each paper that takes it, or with `fits` false for each that does not.
     fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
         let has_room =
