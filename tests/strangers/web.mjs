@@ -137,9 +137,10 @@ async function coded(page, what) {
 
 /** The shell of a drawing tells how far it is, can be stopped, and is shown in three dimensions, with its size as the verdict. */
 async function shell(page, what) {
-    await beside(page, "start");
-    await page.selectOption("#designs", "hand-rest");
-    await holds(page, "hand rest");
+    const measure = '<g id="measure" fill="none" stroke="#00f"><path id="across" d="M100 40V80"/></g></svg>';
+    await dropped(page, ["measured.svg", readFileSync("designs/drawings/hand-rest.svg", "utf8").replace("</svg>", measure)]);
+    await holds(page, "measured.svg");
+    await beside(page, "values");
     await page.fill("#field-load\\.pressure", "10 kPa");
     await page.keyboard.press("Enter");
     await ready(page);
@@ -153,6 +154,9 @@ async function shell(page, what) {
     const frame = page.frameLocator("#report-box iframe:not(.next)");
     await frame.locator("body.only-solid #solid-view").waitFor();
     must(await frame.locator("#solid-inflate").isEnabled(), `${what}: the scene of the shell does not inflate`);
+    await page.click("#view-drawing");
+    const [length] = await page.locator("#canvas .measured").allTextContents();
+    must(/^across: distance \d{2}(\.\d)? mm$/.test(length), `${what}: what is measured after inflation is ${length}`);
     await page.click("#view-sheet");
 }
 

@@ -61,7 +61,7 @@ export async function fits(page, what, most = SHIFT) {
     const shift = await page.evaluate(() => window.shift);
     must(shift <= most, `${what}: the layout shifts by ${shift}`);
     await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => window.axe.run(document, { iframes: false, runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] }));
+    const { violations } = await page.evaluate(() => window.axe.run(document, { iframes: false, runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"], rules: { "target-size": { enabled: true } } }));
     for (const { id, nodes } of violations) must(false, `${what}: axe finds ${id} at ${nodes.slice(0, 3).map(({ html }) => html.slice(0, 120)).join(" | ")}`);
 }
 

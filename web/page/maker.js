@@ -97,6 +97,7 @@ export class Maker {
         byId("shell-note").textContent = answer ? `Computed in ${((performance.now() - began) / 1000).toFixed(1)} s, on coarse meshes. The report has its numbers, each with its mesh error.` : "Stopped.";
         if (!answer) return;
         this.#shown.result.show(answer);
+        this.#shown.stage.show(answer);
         this.#shown.stage.choose("solid");
     }
 

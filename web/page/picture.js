@@ -1,5 +1,6 @@
 // The pictures of the canvas: a sheet with its named seams, or a drawing by the roles of its layers. Sizes of letters and marks are pixels at any zoom.
 import { hours, shape } from "./dom.js";
+import { measured } from "./measures.js";
 
 /** Width of a letter of a label, px, for labels that keep off each other. */
 const LETTER = 7.2;
@@ -52,11 +53,20 @@ export function sheetPicture({ width, height, pieces }, isDrawn, hover) {
     return { content, labels, box: [0, 0, width, height] };
 }
 
-/** A drawing { box, figures } by its roles, with `faults` that have a place; `choose(figure, element)` is called for a curve that is clicked. */
-export function drawingPicture({ box, figures }, faults, { hover, choose }) {
+/** The point in the middle of a path of straight lines, by its corners. */
+function middle(path) {
+    const corners = path.replace("M", "").replace("Z", "").split("L").map((pair) => pair.split(" ").map(Number)), last = corners.length - 1;
+    const [start, end] = [corners[Math.floor(last / 2)], corners[Math.ceil(last / 2)]];
+    return start.map((value, k) => (value + end[k]) / 2);
+}
+
+/** A drawing { box, figures } by its roles, with `faults` that have a place, and the values of `measures`; `choose(figure, element)` is
+ * called for a curve that is clicked. */
+export function drawingPicture({ box, figures }, { faults, measures }, { hover, choose }) {
+    const values = new Map(measures.map((measure) => [measure.measure, measured(measure)]));
     const area = ({ role }) => (role === "air" ? 0 : role === "cut" ? 1 : 2);
     const content = [...figures].sort((a, b) => area(a) - area(b)).map((figure) => {
-        const words = `${figure.id}, layer ${figure.layer}: ${figure.role ?? "without a role"}`;
+        const words = [`${figure.id}, layer ${figure.layer}: ${figure.role ?? "without a role"}`, ...(values.get(figure.id) ?? []).map(({ inflated, flat }) => `${inflated} (flat ${flat})`)].join(", ");
         // A point is a line without a length: its round ends are seen.
         const isPoint = !figure.path.includes("L"), line = isPoint ? `${figure.path}l0 0` : figure.path;
         const feel = shape("path", { class: "feel", d: line, tabindex: 0, role: "button", "aria-label": words });
@@ -73,6 +83,10 @@ export function drawingPicture({ box, figures }, faults, { hover, choose }) {
         hover(mark, found);
         return [group];
     });
+    for (const { id, role, path } of figures) {
+        const [first] = (role === "measure" && values.get(id)) || [];
+        if (first) labels.push(label(middle(path), `${id}: ${first.inflated}`, { className: "measured", dy: -15 }));
+    }
     return { content, labels, box };
 }
 

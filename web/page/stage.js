@@ -21,6 +21,8 @@ export class Stage {
     #sheets = [];
     #drawing = null;
     #faults = [];
+    /** What the drawing measures when it is inflated, as far as that is computed. */
+    #measures = [];
     #isRefused = false;
     /** The drawing with its faults as it is shown, as text; empty in other views. */
     #shownDrawing = "";
@@ -55,6 +57,8 @@ export class Stage {
         this.#isRefused = !overview;
         if (sheets) this.#sheets = sheets;
         if (sheets || drawing) this.#drawing = drawing ?? null;
+        const measures = overview?.prediction?.measures ?? [];
+        if (sheets || measures.length > 0) this.#measures = measures;
         this.#faults = faults;
         byId("sheets").replaceChildren(...this.#sheets.map((_, index) => element("option", { value: index }, `Sheet ${index + 1} of ${this.#sheets.length}`)));
         byId("sheets").value = value in this.#sheets ? value : 0;
@@ -85,7 +89,7 @@ export class Stage {
         byId("sheets").hidden = view !== "sheet" || this.#sheets.length < 2;
         document.body.classList.toggle("reading", view === "report");
         // A drawing that stays the same is not drawn again: a menu over it stays open while files are made.
-        const drawing = view === "drawing" ? JSON.stringify([this.#drawing, this.#faults]) : "";
+        const drawing = view === "drawing" ? JSON.stringify([this.#drawing, this.#faults, this.#measures]) : "";
         if (drawing && drawing === this.#shownDrawing) return;
         this.#shownDrawing = drawing;
         closeRoles();
@@ -97,7 +101,7 @@ export class Stage {
         byId("picture").classList.toggle("fresh", view === "drawing");
         if (view === "drawing") {
             const choose = (figure, line) => askRole(figure, line, this.#setRole);
-            this.#canvas.show("drawing", drawingPicture(this.#drawing, this.#faults, { hover, choose }));
+            this.#canvas.show("drawing", drawingPicture(this.#drawing, { faults: this.#faults, measures: this.#measures }, { hover, choose }));
         } else if (sheet) this.#canvas.show(`sheet ${byId("sheets").value}`, sheetPicture(sheet, isDrawn, hover));
         if (!document.documentElement.dataset.look) performance.mark("preview");
     }
