@@ -91,6 +91,25 @@ async function reopened(browser, page, what, viewport) {
     await other.close();
 }
 
+/** A number that is out of its range is offered the end that it passed, and no part of a number is taken for one. */
+async function bounded(page, what) {
+    await beside(page, "text");
+    const before = await page.inputValue("#spec"), spec = readFileSync("designs/paper-gripper.toml", "utf8");
+    for (const [key, value, remedy] of [["count", 300, 64], ["points", 2, 3], ["friction", 30, 10]]) {
+        await page.fill("#spec", spec.replace(new RegExp(`^${key} = .*`, "m"), `${key} = ${value}`));
+        await page.waitForFunction((text) => document.querySelector("#fault .remedy")?.textContent === text, `write ${key} = ${remedy}`);
+        const offered = await page.locator("#fault .remedy").allInnerTexts();
+        must(offered.length === 1, `${what}: for ${key} = ${value} the page offers ${offered}`);
+    }
+    await page.fill("#spec", spec.replace("[load]", '[load]\nmass = "9 kg"'));
+    await page.waitForFunction(() => document.querySelector("#fault .remedy")?.textContent.startsWith('write mass = "'));
+    await page.waitForTimeout(300);
+    const parts = (await page.locator("#fault .remedy").allInnerTexts()).filter((text) => !/ mass = "[\d.]+ kg"$/.test(text));
+    must(parts.length === 0, `${what}: for a mass the page offers ${parts}`);
+    await page.fill("#spec", before);
+    await ready(page);
+}
+
 /** The report: its player, pressure slider, charts and scene; it keeps its place and sliders after an edit. */
 async function report(page, what) {
     await page.click("#view-report");
@@ -366,6 +385,7 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         if (what === "desktop") await waits(browser, page);
         await bottle(page, what);
         await printed(page, what);
+        await bounded(page, what);
         await mended(page, what);
         await reopened(browser, page, what, viewport);
         await coded(page, what);

@@ -2,9 +2,15 @@
 import { byId, element } from "./dom.js";
 
 const LIKELY = /did you mean (["\u0060])(.+?)\1/;
-const ASSIGNED = /`?\b([a-z]\w*) = ("[^"\n]*"|-?[\d.]+|true|false|\[[^\]\n]*\])`?(?: in \[([a-z.]+)\])?/g;
-const BOUNDED = /`?\b([a-z]\w*)`? (?:of )?(at least|at most|above|below) (-?[\d.]+)( ?(?:mm\/s|mm|kPa|deg|C|N\/mm|MPa|%|N|kg|g|um))?(?=[\s,;.)]|$)/g;
-const LIMIT = /\bat (?:least|most) (-?[\d.]+(?: ?(?:mm\/s|mm|kPa|deg|C|N\/mm|MPa|%|N|kg|g|um))?)(?=[\s,;.)]|$)/g;
+/** A whole number of a text, never a part of it; its unit; and where both end. */
+const NUMBER = String.raw`-?\d+(?:\.\d+)?(?![\d.]*\d)`;
+const UNIT = "mm/s|mm|kPa|deg|C|N/mm|MPa|%|N|kg|g|um";
+const NUMBER_END = String.raw`(?=[\s,;:.)]|$)`;
+const ASSIGNED = new RegExp(String.raw`\u0060?\b([a-z]\w*) = ("[^"\n]*"|${NUMBER}|true|false|\[[^\]\n]*\])\u0060?(?: in \[([a-z.]+)\])?`, "g");
+const BOUND = String.raw`(at least|at most|above|below|more than|less than) (${NUMBER})( ?(?:${UNIT}))?${NUMBER_END}`;
+const BOUNDED = new RegExp(String.raw`\u0060?\b([a-z]\w*)\u0060? (?:of )?${BOUND}`, "g");
+const LIMIT = new RegExp(String.raw`\b${BOUND}`, "g");
+const RANGE = new RegExp(String.raw`\bfrom (${NUMBER}(?: ?(?:${UNIT}))?) to (${NUMBER}(?: ?(?:${UNIT}))?)${NUMBER_END}`, "g");
 
 /** Number of proposals that are tried, and of those that are offered. */
 const MOST_TRIED = 6, MOST_OFFERED = 3;
@@ -12,11 +18,12 @@ const MOST_TRIED = 6, MOST_OFFERED = 3;
 /** The texts of a fault that may hold a remedy. */
 const remedies = ({ allowed, remedy }) => [allowed, remedy].filter(Boolean).join("; ");
 
-/** A number within a limit: the limit itself, or beyond one that is excluded by at least a unit of its third digit. */
-function within(word, text) {
-    if (word.startsWith("at ")) return text;
-    const number = Number(text), step = 10 ** (Math.floor(Math.log10(Math.abs(number) || 1)) - 2);
-    return String(Number(((word === "above" ? Math.floor(number / step) + 1 : Math.ceil(number / step) - 1) * step).toPrecision(6)));
+/** A value within a bound, as TOML: the bound itself, or beyond one that is excluded by at least a unit of its third digit. */
+function within(word, bound, unit = "") {
+    const number = Number(bound), step = 10 ** (Math.floor(Math.log10(Math.abs(number) || 1)) - 2);
+    const beyond = ["above", "more than"].includes(word) ? Math.floor(number / step) + 1 : Math.ceil(number / step) - 1;
+    const text = (word.startsWith("at ") ? bound : String(Number((beyond * step).toPrecision(6)))) + unit;
+    return unit ? JSON.stringify(text) : text;
 }
 
 /** The changes that the words of a fault propose, the likeliest first: { label, place, word } for a word in its place, { label, key, value } for a key. */
@@ -29,14 +36,14 @@ export function proposals(fault) {
         const sections = [section, home].filter((word) => word !== undefined);
         for (const own of new Set(sections)) list.push({ label: `write ${name} = ${value}`, key: own ? `${own}.${name}` : name, value });
     }
-    for (const [, name, word, number, unit] of home ? text.matchAll(BOUNDED) : []) {
-        const value = unit ? JSON.stringify(within(word, number) + unit) : within(word, number);
-        list.push({ label: `write ${name} = ${value}`, key: `${home}.${name}`, value });
-    }
-    for (const [, limit] of key ? text.matchAll(LIMIT) : []) {
-        const value = /[a-zA-Z%]/.test(limit) ? JSON.stringify(limit) : limit;
-        list.push({ label: `write ${key.split(".").pop()} = ${value}`, key, value });
-    }
+    const propose = (path, value) => list.push({ label: `write ${path.split(".").pop()} = ${value}`, key: path, value });
+    for (const [, name, ...bound] of home ? text.matchAll(BOUNDED) : []) propose(`${home}.${name}`, within(...bound));
+    // Of the ends of a range the one that is passed.
+    const ends = [...text.matchAll(LIMIT)].map(([, ...bound]) => within(...bound));
+    for (const [, ...range] of text.matchAll(RANGE)) ends.push(...range.map((end) => (/[a-zA-Z%]/.test(end) ? JSON.stringify(end) : end)));
+    const size = (words) => Number.parseFloat(words?.replace('"', "")), present = size(/ is \u0060?(-?[\d.]+)/.exec(fault.found)?.[1]);
+    if (Number.isFinite(present)) ends.sort((a, b) => Math.abs(size(a) - present) - Math.abs(size(b) - present)).splice(1);
+    for (const end of key ? ends : []) propose(key, end);
     if (key && /\bdelete (it|this|\[)/.test(text)) list.push({ label: `delete ${key.split(".").pop()}`, key, value: undefined });
     return list;
 }
@@ -47,15 +54,21 @@ function replaced(text, [start, end], word) {
     return text.slice(0, start) + quote + word + quote + text.slice(end);
 }
 
-/** The proposals that remove `fault` from the spec `text`, which has `count` errors, and make not more: { label, text }, one after the other. */
-async function* helpful(fault, text, count, { edit, look }) {
+/** Whether `errors`, those of a text in which `key` has another value, are better than `before`: fewer of the kind of `fault`, not more
+ * in all, and none about that value. */
+function helps(fault, key, before, errors) {
+    const alike = (list) => list.filter((other) => other.code === fault.code && other.key === fault.key).length;
+    return alike(errors) < alike(before) && errors.length <= before.length && !errors.some((error) => key && error.key === key);
+}
+
+/** The proposals that remove `fault` from the spec `text`, which has the errors `before`: { label, text }, one after the other. */
+async function* helpful(fault, text, before, { edit, look }) {
     const labels = new Set();
     for (const { label, place, word, key, value } of proposals(fault).slice(0, MOST_TRIED)) {
         const spec = word === undefined ? (await edit(text, key, value)).spec : replaced(text, place, word);
         if (spec === undefined || spec === text || labels.has(label)) continue;
         const errors = (await look(spec)).faults.filter(({ warning }) => !warning);
-        const isThere = errors.some(({ code, found }) => code === fault.code && found === fault.found);
-        if (isThere || errors.length > count) continue;
+        if (!helps(fault, key, before, errors)) continue;
         labels.add(label);
         yield { label, text: spec };
         if (labels.size === MOST_OFFERED) return;
@@ -103,13 +116,13 @@ export class FaultBox {
         }
         const why = [fault.allowed, fault.remedy].filter(Boolean).map((words) => element("p", { className: "why" }, words));
         byId("fault").replaceChildren(element("p", {}, element("strong", {}, fault.found)), ...why, buttons);
-        this.#offer(fault, count, buttons).catch(() => {}); // another text came
+        this.#offer(fault, buttons).catch(() => {}); // another text came
     }
 
     /** Adds a button for each remedy that helps, before the other buttons. */
-    async #offer(fault, count, buttons) {
+    async #offer(fault, buttons) {
         const text = this.#text, [first] = buttons.children;
-        for await (const { label, text: mended } of helpful(fault, text, count, this.#ask)) {
+        for await (const { label, text: mended } of helpful(fault, text, this.#faults, this.#ask)) {
             if (this.#text !== text || this.#faults[this.#index] !== fault) return;
             const button = element("button", { type: "button", className: "remedy", onclick: () => this.#write(mended) }, label);
             if (first) first.before(button);
