@@ -48,7 +48,7 @@ pub(crate) fn actuator(
         return ActuatorPrediction::new(py, answer.map_err(|fault| refused(fault.to_string()))?, None);
     }
     let computed_answer = wait(py, progress, move |line| {
-        line.watched(|watch| by_shell::actuate(&actuator, &angles, detail, watch))
+        line.watched(true, |watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
     let (answer, shape) = computed_answer.map_err(|fault: ShellFault| refused(fault.to_string()))?;
     ActuatorPrediction::new(py, answer, Some(Mesh { shape, symmetry: Symmetry::Mirror, seams: Vec::new() }))

@@ -11,9 +11,9 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::cli::publish;
-use stargrip_cam::design::Refusals;
+use stargrip_cam::design::{RefusalCode, Refusals};
 use stargrip_cam::manifest::Tool;
-use stargrip_cam::pipeline::{Forecast, Proven};
+use stargrip_cam::pipeline::{Forecast, Planned, Proven};
 use stargrip_cam::units::counted;
 use stargrip_cam::verify::Finding;
 
@@ -45,7 +45,8 @@ enum Stopped {
 ///
 /// only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but the kinds that only `with_` adds (docs/spec.md, `build.with`).
 /// with_: kinds to make in addition: `["report"]`.
-/// anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model.
+/// anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model. It also
+/// computes a shell of any size.
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///
 /// Raises DesignError if there is no such gripper or it is refused, ProofError for a fault of the program.
@@ -85,8 +86,12 @@ fn build_proven(
     line: &Line,
 ) -> Result<Proven, Stopped> {
     line.tell(0.0, "design, plan and prediction");
-    let forecast =
-        Forecast::of(loaded.reading.spec.clone(), loaded.machine.clone()).map_err(Stopped::Refused)?;
+    let planned =
+        Planned::new(loaded.reading.spec.clone(), loaded.machine.clone()).map_err(Stopped::Refused)?;
+    let forecast = line.watched(anyway, |watch| planned.forecast(watch)).map_err(|mut refusals| {
+        refusals.offer(RefusalCode::LargeShell, "`build(..., anyway=True)` computes it");
+        Stopped::Refused(refusals)
+    })?;
     if !anyway {
         forecast.unfit().or(()).map_err(Stopped::Refused)?;
     }

@@ -7,7 +7,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
 use stargrip_cam::answer::refused::at_keys;
 use stargrip_cam::cli::embedded::{Failure, Loaded};
-use stargrip_cam::design::Refusals;
+use stargrip_cam::design::{RefusalCode, Refusals};
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::pipeline::no_prediction;
 use stargrip_cam::spec::{Fault, Faults, Severity};
@@ -52,7 +52,8 @@ pub(crate) fn of_design(py: Python<'_>, loaded: &Loaded, refusals: Refusals) -> 
 
 /// A prediction that cannot be made: `PredictionError`.
 pub(crate) fn of_prediction(py: Python<'_>, loaded: &Loaded, fault: &PredictFault) -> PyErr {
-    let refusals = no_prediction(fault).into();
+    let mut refusals = Refusals::from(no_prediction(fault));
+    refusals.offer(RefusalCode::LargeShell, "`predict(..., fineness=\"coarse\")` computes it");
     of_faults(py, "PredictionError", &at_keys(&loaded.source, &loaded.reading.raw, refusals))
 }
 

@@ -65,7 +65,9 @@ pub(crate) fn predict(
         || star_question.model.unwrap_or(loaded_spec.accuracy.model) == ModelChoice::Shell
     {
         let loaded = Arc::clone(&loaded);
-        wait(py, progress, move |line| line.watched(|watch| answer(&loaded, &star_question, watch)))?
+        wait(py, progress, move |line| {
+            line.watched(star_question.detail.is_some(), |watch| answer(&loaded, &star_question, watch))
+        })?
     } else {
         py.detach(|| answer(&loaded, &star_question, &Watch::default()))
     };
@@ -117,7 +119,7 @@ fn answer(
     let (spec, design, _) = star_question.designed(loaded).map_err(Refused::Design)?;
     if design.drawn().is_some() && !star_question.radii.is_empty() {
         let problem = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
-        let fault = PredictFault { star: None, key: key::drawing::FILE, what: problem, remedy: None };
+        let fault = PredictFault::new(key::drawing::FILE, problem);
         return Err(Refused::Model(ShellRefusal::Fault(fault)));
     }
     let (answer, shape) = star_question.answer((&spec, &design), watch).map_err(Refused::Model)?;

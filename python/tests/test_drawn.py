@@ -106,3 +106,26 @@ def test_the_words_of_the_types_are_those_that_are_taken(gripper: sg.Spec) -> No
         with pytest.raises(sg.UsageError) as caught:
             call()
         assert all(word in str(caught.value) for word in get_args(words)), str(caught.value)
+
+
+def test_a_large_shell_is_refused_with_its_way_out(tmp_path: Path) -> None:
+    circles = "".join(
+        f'<circle cx="{42 + 24 * (k // 6)}" cy="{42 + 24 * (k % 6)}" r="4"/>' for k in range(36)
+    )
+    (tmp_path / "islands.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">'
+        '<g id="air" fill="none" stroke="black"><rect x="20" y="20" width="168" height="168"/>' + circles + "</g>"
+        '<g id="port" stroke="red"><path d="M16 50h8"/></g></svg>'
+    )
+    spec = tmp_path / "spec.toml"
+    spec.write_text(
+        'schema = 1\nname = "islands"\n[drawing]\nfile = "islands.svg"\n[drawing.layers]\nair = ["air"]\n'
+        'port = ["port"]\n[load]\npressure = "10 kPa"\n[accuracy]\nmodel = "shell"\n'
+    )
+    large = sg.Spec.from_toml(spec)
+    with pytest.raises(sg.PredictionError, match="fineness=.coarse.") as refused:
+        sg.predict(large)
+    assert refused.value.faults[0].code == "large-shell"
+    with pytest.raises(sg.DesignError, match="anyway=True") as refused:
+        sg.build(large)
+    assert refused.value.faults[0].code == "large-shell"

@@ -121,6 +121,7 @@ impl Loaded {
             Planned::new(spec, machine)?.forecast(&watch)
         });
         let forecast = forecast.map_err(|mut refusals| {
+            refusals.offer(RefusalCode::LargeShell, "`--anyway` computes it");
             if !anyway {
                 let mut unfit = acceptable(unfit_besides(&self.reading.spec, &self.machine));
                 unfit.retain(|unfit| refusals.iter().all(|refusal| refusal.code != unfit.code));

@@ -11,6 +11,7 @@ use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::pipeline::no_prediction;
+use design::{RefusalCode, Refusals};
 use forecast::drawn::MOST_UNKNOWNS;
 use forecast::pressures::outside;
 use forecast::shell::star::ShellRefusal;
@@ -91,7 +92,11 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
 pub(super) fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
     match refusal {
         ShellRefusal::Cancelled => Failure::Interrupted,
-        ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
+        ShellRefusal::Fault(fault) => {
+            let mut refusals = Refusals::from(no_prediction(&fault));
+            refusals.offer(RefusalCode::LargeShell, "`--fineness coarse` computes it");
+            loaded.refused(refusals)
+        }
     }
 }
 

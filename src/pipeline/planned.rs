@@ -1,7 +1,7 @@
 //! The first state: a gripper with its geometry and programs.
 
 use crate::airtight;
-use design::{Design, Refusal, RefusalCode, Refusals};
+use design::{Design, Refusal, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::Program;
@@ -39,5 +39,5 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
     let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
     let remedy = fault.remedy.clone().unwrap_or_else(|| "needed for a prediction".to_owned());
-    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), remedy)
+    Refusal::new(key, fault.code, fault.what.clone(), remedy)
 }

@@ -253,15 +253,15 @@ fn a_large_shell_is_refused_before_it_is_computed() {
                 port = [\"port\"]\n[load]\npressure = \"10 kPa\"\n[accuracy]\nmodel = \"shell\"\n";
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
     fs::write(dir.path().join("islands.svg"), islands(6)).expect("written");
-    for command in
-        [&["check", "spec.toml"][..], &["build", "spec.toml", "-o", "out"], &["predict", "spec.toml"]]
-    {
+    for (command, option) in [
+        (&["check", "spec.toml"][..], "`--anyway` computes it"),
+        (&["build", "spec.toml", "-o", "out"], "`--anyway` computes it"),
+        (&["predict", "spec.toml"], "`--fineness coarse` computes it"),
+    ] {
         let refused = run(dir.path(), command);
         let message = text(&refused.stderr);
         assert_eq!(refused.status.code(), Some(1), "{command:?}: {message}");
-        for words in
-            ["unknowns and ", " s; at most 80000 are computed unasked", "accepted anyway", "with a fineness"]
-        {
+        for words in ["[large-shell]", "unknowns and ", " s; at most 80000 are computed unasked", option] {
             assert!(message.contains(words), "{command:?}: {message}");
         }
     }

@@ -23,6 +23,7 @@ codes! {
         HoleClosed "hole-closed" "Band and hole-side flap close the hole; make them smaller or inner_radius larger.",
         InletMeetsArm "inlet-meets-arm" "The hose's channel is wider than the tip has room for; take a thinner hose or a wider tube.",
         JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller pieces at a time.",
+        LargeShell "large-shell" "The shell of the drawing takes long; ask for it as shown, draw fewer islands, or leave it out.",
         LayerWithoutRole "layer-without-role" "A layer of the drawing has no role; name it in one of the lists of `layers`, or in `ignore`.",
         LongExtent "long-extent" "With this extent the coating windows would meet or run past the arms; make it smaller.",
         LongLink "long-link" "A warning: the link is too long for a QR code; leave out `link`, or shorten spec, profile and drawing.",

@@ -81,6 +81,14 @@ impl Refusals {
         distinct
     }
 
+    /// Adds a way out to the remedies of the refusals of `code`, in the words of the interface that shows them: a lower room knows neither
+    /// options nor arguments.
+    pub fn offer(&mut self, code: RefusalCode, way_out: &str) {
+        for refusal in self.0.iter_mut().filter(|refusal| refusal.code == code) {
+            refusal.remedy = format!("{}; {way_out}", refusal.remedy);
+        }
+    }
+
     /// `value`, unless something was refused.
     ///
     /// # Errors

@@ -124,7 +124,7 @@ fn predict_stars(
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
     let problem = "a drawn shape is not a star; only the shell models it".to_owned();
     let remedy = Some("use `predict`".to_owned());
-    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what: problem, remedy })
+    design.assembly().ok_or_else(|| PredictFault { remedy, ..PredictFault::new(key::drawing::FILE, problem) })
 }
 
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.

@@ -3,7 +3,7 @@
 use crate::case::Case;
 use crate::pressures::{modelled, outside_section, pressures};
 use crate::star_answer::mm;
-use design::StarDesign;
+use design::{RefusalCode, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, HingeRatio, StarFault};
 use spec::units::{BendingStiffness, Least, LineForce, Most};
 use spec::{Fabric, KeyPath, Spec, key};
@@ -12,6 +12,8 @@ use std::fmt;
 /// Reason for a missing prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictFault {
+    /// What kind of refusal it is.
+    pub code: RefusalCode,
     /// Number of the star, 1 = bottom; `None` if it is not about one star.
     pub star: Option<usize>,
     /// The key of the spec that is best changed.
@@ -35,9 +37,9 @@ impl fmt::Display for PredictFault {
 impl std::error::Error for PredictFault {}
 
 impl PredictFault {
-    /// That of no star in particular, at `key`, where `problem` says all.
-    pub(super) fn new(key: KeyPath, problem: String) -> Self {
-        Self { star: None, key, what: problem, remedy: None }
+    /// A missing prediction of no star in particular, at `key`, where `problem` says all.
+    pub fn new(key: KeyPath, problem: String) -> Self {
+        Self { code: RefusalCode::NoPrediction, star: None, key, what: problem, remedy: None }
     }
 }
 
@@ -46,7 +48,8 @@ pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &S
     let case = Case::of(spec, &part.star).ok();
     let mended = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
     if let Some((key, remedy)) = mended {
-        return PredictFault { star: Some(star), key, what: fault.to_string(), remedy: Some(remedy) };
+        let fault = PredictFault::new(key, fault.to_string());
+        return PredictFault { star: Some(star), remedy: Some(remedy), ..fault };
     }
     let problem_and_remedy = case.and_then(|case| {
         let (problem, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
@@ -54,7 +57,7 @@ pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &S
         Some((problem, modelled(&case).map(pressures)))
     });
     if let Some((problem, remedy)) = problem_and_remedy {
-        return PredictFault { star: Some(star), key: key::load::PRESSURE, what: problem, remedy };
+        return PredictFault { star: Some(star), remedy, ..PredictFault::new(key::load::PRESSURE, problem) };
     }
     let key = match fault {
         StarFault::Dimension { symbol, .. } => match *symbol {
@@ -67,7 +70,7 @@ pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &S
         StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
         StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_ANGLE,
     };
-    PredictFault { star: Some(star), key, what: fault.to_string(), remedy: None }
+    PredictFault { star: Some(star), ..PredictFault::new(key, fault.to_string()) }
 }
 
 /// The key of a ratio that no pressure brings into the range of `section`, with the values that the key may have; `None` if `fault` is about

@@ -21,6 +21,7 @@ const WITHOUT: &[&str] = &[
     "bands-meet",
     "curve-not-finite",
     "curves-crowded",
+    "large-shell",
     "long-link",
     "long-ramp",
     "narrow-mouth",

@@ -19,7 +19,7 @@ use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
-use design::{DrawnPiece, DrawnPieces};
+use design::{DrawnPiece, DrawnPieces, RefusalCode};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
 use spec::units::{Pressure, Readable};
 use spec::{Load, ModelChoice, Spec, key};
@@ -164,9 +164,12 @@ fn refuse_large(
         "the shell of this drawing is large: {size}; at most {} are computed unasked",
         thousands(limit)
     );
-    let remedy = "`check` and `build` compute it if it is accepted anyway, `predict` with a fineness; fewer islands need less; \
-                  `model = \"auto\"` leaves the shell out";
-    Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, problem) })
+    let remedy = "draw fewer islands; `model = \"auto\"` leaves the shell out";
+    Err(PredictFault {
+        code: RefusalCode::LargeShell,
+        remedy: Some(remedy.to_owned()),
+        ..PredictFault::new(key::accuracy::MODEL, problem)
+    })
 }
 
 /// A number of unknowns, rounded to thousands.
