@@ -3,8 +3,13 @@
 use crate::emit;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
+use program::plan::Pace;
 use proof::verify::Phase;
 use proof::verify::gcode::Comment;
+use spec::LEAST_ACCELERATION;
+
+/// An acceleration that no machine exceeds, mm/s^2: from there on travels count as at speed at once.
+const MOST_ACCELERATION: f64 = 1e6;
 
 /// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {
@@ -23,9 +28,9 @@ pub(super) struct Figures {
 impl Figures {
     /// The figures of `new`, a program that resumes `old`.
     ///
-    /// The total that the old program states is longer than its moves by the acceleration of its travels, which is not read. Each travel begins
-    /// and ends at rest, and takes v / a longer than its way if it reaches its speed. So the new program has as large a part of that time as it
-    /// has of the travels.
+    /// The time of its travels follows the rules of the plan. A steady program does not state the acceleration: it is that with which the old
+    /// program takes the time that it states. Where the acceleration is stated, what is left over is the time by which strokes leave their
+    /// schedule, and the new program has as large a part of it as it has of the sealing.
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
         for step in new.moves().filter(|step| step.phase != Phase::Clear) {
@@ -40,14 +45,18 @@ impl Figures {
                 first = (first.0 + flat, first.1 + step.seconds);
             }
         }
-        let accelerating = old.stated.map_or(0.0, |stated| stated - old.at_speed());
-        let share = f64::from(new.travels) / f64::from(old.travels);
+        let acceleration = match new.record.pace {
+            Pace::Chopped(chop) => Some(chop.acceleration),
+            Pace::Steady => old.stated.and_then(|stated| travel_acceleration(old, stated - old.sealing)),
+        };
+        let sealing = old.stated.map_or(old.sealing, |stated| stated - old.travelling(acceleration));
+        let share = new.sealing / old.sealing.max(f64::MIN_POSITIVE);
         Self {
             seam,
             first,
             length,
             is_again: old.job.is_some(),
-            seconds: (new.at_speed() + share * accelerating).max(0.0),
+            seconds: (share * sealing + new.travelling(acceleration)).max(0.0),
         }
     }
 
@@ -75,6 +84,20 @@ impl Figures {
             _ => vec![line.to_owned()],
         }
     }
+}
+
+/// The acceleration, mm/s^2, with which the travels of `toolpath` take `seconds`; `None` if they take no longer than at speed at once.
+fn travel_acceleration(toolpath: &Toolpath<'_>, seconds: f64) -> Option<f64> {
+    let (mut low, mut high) = (LEAST_ACCELERATION, MOST_ACCELERATION);
+    if toolpath.travelling(Some(high)) >= seconds {
+        return None;
+    }
+    // Halves the logarithm of the range to a millionth.
+    for _ in 0..30 {
+        let middle = (low * high).sqrt();
+        if toolpath.travelling(Some(middle)) > seconds { low = middle } else { high = middle }
+    }
+    Some(high)
 }
 
 /// The comment in a line that contains nothing else.

@@ -5,6 +5,7 @@
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use geom::Bounds;
+use program::plan::TravelLimits;
 use proof::verify::Phase;
 use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
 
@@ -33,7 +34,7 @@ impl TimedMove {
 }
 
 /// A program without findings.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Toolpath<'a> {
     pub(super) text: &'a str,
     pub(super) record: &'a Record,
@@ -43,10 +44,11 @@ pub(super) struct Toolpath<'a> {
     pub(super) hot: usize,
     /// Time for all of its moves, s, without the first travel.
     pub(super) seconds: f64,
-    /// Number of its travels, with the first one.
-    pub(super) travels: u32,
-    /// Time of the first travel, s, from the sheet's corner, where every program leaves the iron.
-    pub(super) approach: f64,
+    /// Time in contact and on ramps, s.
+    pub(super) sealing: f64,
+    /// Its travels, mm, as runs without a stop between two contacts. The first way is that from the sheet's corner, where every program leaves
+    /// the iron.
+    pub(super) travels: Vec<Vec<[f64; 3]>>,
     /// Time for all of it as stated in its header, with the accelerations of travels, s.
     pub(super) stated: Option<f64>,
     /// Time of the whole job as stated in the header of a program for its rest.
@@ -55,11 +57,10 @@ pub(super) struct Toolpath<'a> {
     pub(super) reach: Bounds,
 }
 
-/// Time of a travel in the plane from the sheet's corner, s; `None` for a move of another kind.
-fn from_corner(travel: &BlindMove, record: &Record) -> Option<f64> {
+/// The way of a travel in the plane from the sheet's corner, mm; `None` for a move of another kind.
+fn from_corner(travel: &BlindMove) -> Option<[f64; 3]> {
     let [Some(x), Some(y), _] = travel.to else { return None };
-    let speed = travel.feed.map_or(record.process.travel_speed.0, |feed| feed / 60.0);
-    Some(libm::hypot(x, y) / speed)
+    Some([x, y, 0.0])
 }
 
 impl<'a> Toolpath<'a> {
@@ -72,7 +73,7 @@ impl<'a> Toolpath<'a> {
             let mut is_comment = false;
             for event in line.events {
                 match event {
-                    Event::Blind(travel) if approach.is_none() => approach = from_corner(travel, record),
+                    Event::Blind(travel) if approach.is_none() => approach = from_corner(travel),
                     Event::Finding(finding) if fault.is_none() => fault = Some(finding.clone()),
                     Event::Comment(comment) => {
                         is_comment = true;
@@ -97,21 +98,50 @@ impl<'a> Toolpath<'a> {
         if hot == 0 {
             return Err(ResumeFault::NotOurs("heat"));
         }
-        let (approach, reach) = (approach.unwrap_or(0.0), Bounds::EMPTY);
-        let toolpath =
-            Self { text, record, lines, hot, seconds: 0.0, travels: 1, approach, stated, job, reach };
-        let (mut seconds, mut travels, mut reach) = (0.0, toolpath.travels, Bounds::EMPTY);
-        for step in toolpath.moves() {
-            seconds = step.begins + step.seconds;
-            travels += u32::from(step.phase == Phase::Clear);
-            reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
-        }
-        Ok(Self { seconds, travels, reach, ..toolpath })
+        let (travels, reach) = (vec![Vec::from_iter(approach)], Bounds::EMPTY);
+        let toolpath = Self {
+            text,
+            record,
+            lines,
+            hot,
+            seconds: 0.0,
+            sealing: 0.0,
+            travels: Vec::new(),
+            stated,
+            job,
+            reach,
+        };
+        Ok(toolpath.walked(travels))
     }
 
-    /// Time of all its moves, s, if each travel had its speed at once.
-    pub(super) fn at_speed(&self) -> f64 {
-        self.approach + self.seconds
+    /// This program with the time and the reach of its moves; `travels` has the ways before the first one.
+    fn walked(self, mut travels: Vec<Vec<[f64; 3]>>) -> Self {
+        let (mut seconds, mut sealing, mut reach) = (0.0, 0.0, Bounds::EMPTY);
+        let mut is_sealing = false;
+        for step in self.moves() {
+            seconds = step.begins + step.seconds;
+            reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
+            if step.phase != Phase::Clear {
+                sealing += step.seconds;
+                is_sealing = true;
+                continue;
+            }
+            if std::mem::take(&mut is_sealing) {
+                travels.push(Vec::new());
+            }
+            let (start, end) = (step.step.from, step.step.to);
+            if let Some(run) = travels.last_mut() {
+                run.push([end.x - start.x, end.y - start.y, end.z - start.z]);
+            }
+        }
+        Self { seconds, sealing, travels, reach, ..self }
+    }
+
+    /// Time of its travels, s, where the controller accelerates them by `acceleration`, mm/s^2; `None`: at speed at once.
+    pub(super) fn travelling(&self, acceleration: Option<f64>) -> f64 {
+        let speed = self.record.process.travel_speed.0;
+        let limits = TravelLimits { dialect: self.record.controller.dialect, speed, acceleration };
+        self.travels.iter().map(|run| limits.seconds(run)).sum()
     }
 
     /// Time of the whole job, of which this program may be the rest, s, without the accelerations of travels.

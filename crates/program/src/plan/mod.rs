@@ -39,4 +39,5 @@ pub use seal::{seal_program, seal_programs};
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
+pub use travel::TravelLimits;
 pub use written::{Precision, is_straight};

@@ -4,7 +4,7 @@
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::plan::lowest_feed::lowest_of;
-use crate::plan::travel::Travel;
+use crate::plan::travel::{Travel, TravelLimits};
 use crate::plan::written::{Precision, Written};
 use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
 use geom::{Point, Segment};
@@ -52,9 +52,11 @@ impl<'a> Clock<'a> {
     }
 
     fn go(&mut self, way: [f64; 3]) {
-        let Some(mut travel) = Travel::new(self.machine, way) else { return };
-        let spared = self.last.map_or(0.0, |last| travel.join(&last));
-        self.elapsed += travel.seconds() - spared;
+        let Machine { controller, process, motion, .. } = self.machine;
+        let (speed, acceleration) = (process.travel_speed.0, motion.acceleration.map(|a| a.0));
+        let limits = TravelLimits { dialect: controller.dialect, speed, acceleration };
+        let Some(mut travel) = Travel::new(limits, way) else { return };
+        self.elapsed += travel.after(self.last.as_ref());
         self.last = Some(travel);
     }
 }

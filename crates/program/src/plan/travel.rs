@@ -5,7 +5,7 @@
 //! elsewhere (GRBL $120 to $122; RepRapFirmware M201; LinuxCNC MAX_ACCELERATION). Two controllers do not stop where a level way
 //! meets one straight up or down.
 
-use spec::{Dialect, Machine};
+use spec::Dialect;
 
 /// The travel of a dialect: whether its speed holds along the way, whether its acceleration does, and the speed, mm/s, at which
 /// it passes a right angle between a level way and one straight up or down.
@@ -20,6 +20,30 @@ fn habits(dialect: Dialect) -> (bool, bool, f64) {
         Dialect::Marlin => (true, true, 0.0),
         Dialect::Klipper => (true, true, 5.0),
         Dialect::RepRapFirmware => (true, false, 10.0),
+    }
+}
+
+/// How fast a controller travels.
+#[derive(Clone, Copy, Debug)]
+pub struct TravelLimits {
+    /// The dialect, whose firmware applies the limits along the way or for each axis.
+    pub dialect: Dialect,
+    /// mm/s
+    pub speed: f64,
+    /// mm/s^2; `None`: at speed at once.
+    pub acceleration: Option<f64>,
+}
+
+impl TravelLimits {
+    /// Time of travels along `ways`, mm, one after the other, from rest to rest, s.
+    pub fn seconds(self, ways: &[[f64; 3]]) -> f64 {
+        let mut elapsed = 0.0;
+        let mut last = None;
+        for mut travel in ways.iter().filter_map(|way| Travel::new(self, *way)) {
+            elapsed += travel.after(last.as_ref());
+            last = Some(travel);
+        }
+        elapsed
     }
 }
 
@@ -40,31 +64,37 @@ pub(super) struct Travel {
 
 impl Travel {
     /// The travel along `way`, mm, from rest; `None` if that is nothing.
-    pub(super) fn new(machine: &Machine, way: [f64; 3]) -> Option<Self> {
+    pub(super) fn new(limits: TravelLimits, way: [f64; 3]) -> Option<Self> {
         let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
         if length <= 0.0 {
             return None;
         }
-        let (whole_speed, whole_ramp, bend) = habits(machine.controller.dialect);
+        let (whole_speed, whole_ramp, bend) = habits(limits.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
         let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         Some(Self {
             length,
-            speed: limit_along(machine.process.travel_speed.0, whole_speed),
-            acceleration: machine.motion.acceleration.map(|a| limit_along(a.0, whole_ramp)),
+            speed: limit_along(limits.speed, whole_speed),
+            acceleration: limits.acceleration.map(|a| limit_along(a, whole_ramp)),
             entry: 0.0,
             bend,
             upright: way[2] != 0.0,
         })
     }
 
+    /// Time to rest after `last`, a travel that needs not end at rest any more, less the time that `last` is spared, s.
+    pub(super) fn after(&mut self, last: Option<&Self>) -> f64 {
+        let spared = last.map_or(0.0, |last| self.join(last));
+        self.seconds() - spared
+    }
+
     /// Time to rest, s.
-    pub(super) fn seconds(&self) -> f64 {
+    fn seconds(&self) -> f64 {
         self.time_to(0.0)
     }
 
     /// Begins where `previous` ends; the time that `previous` no longer needs, s.
-    pub(super) fn join(&mut self, previous: &Self) -> f64 {
+    fn join(&mut self, previous: &Self) -> f64 {
         if previous.upright == self.upright {
             return 0.0;
         }
@@ -90,16 +120,14 @@ impl Travel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use spec::units::Acceleration;
 
-    fn machine(dialect: &str) -> Machine {
-        let mut machine = Machine::builtin(dialect).expect("built in");
-        machine.motion.acceleration = Some(Acceleration(10.0));
-        machine
+    fn limits(dialect: &str) -> TravelLimits {
+        let (_, dialect) = Dialect::NAMES.iter().find(|(name, _)| *name == dialect).expect("a dialect");
+        TravelLimits { dialect: *dialect, speed: 20.0, acceleration: Some(10.0) }
     }
 
     fn seconds(dialect: &str, way: [f64; 3]) -> f64 {
-        Travel::new(&machine(dialect), way).expect("a way").seconds()
+        limits(dialect).seconds(&[way])
     }
 
     /// 20 mm/s and 10 mm/s^2: L / v + v / a, at 45 degrees of each axis or along the way.
@@ -120,7 +148,7 @@ mod tests {
             assert!((seconds(dialect, [0.0, -300.0, 0.0]) - 17.0).abs() < 1e-9, "{dialect}");
             assert!((seconds(dialect, [0.0, 0.0, 25.0]) - 2.0 * 2.5_f64.sqrt()).abs() < 1e-9, "{dialect}");
         }
-        assert!(Travel::new(&machine("grbl"), [0.0; 3]).is_none());
+        assert!(Travel::new(limits("grbl"), [0.0; 3]).is_none());
     }
 
     /// A bend passed at c instead of 0 saves c / a - c^2 / (2 a v) before it, and as much after it.
@@ -133,10 +161,7 @@ mod tests {
     }
 
     fn seconds_saved(dialect: &str, second: [f64; 3]) -> f64 {
-        let profile = machine(dialect);
-        let first = Travel::new(&profile, [100.0, 0.0, 0.0]).expect("a way");
-        let mut next = Travel::new(&profile, second).expect("a way");
-        let seconds = next.seconds();
-        next.join(&first) + seconds - next.seconds()
+        let first = [100.0, 0.0, 0.0];
+        seconds(dialect, first) + seconds(dialect, second) - limits(dialect).seconds(&[first, second])
     }
 }
