@@ -31,7 +31,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
     ("docs/install.md", "tar -xzf stargrip-cam-0.2.0-x86_64-unknown-linux-musl.tar.gz"),
     ("docs/install.md", "sudo apt install ./stargrip-cam_0.2.0-1_amd64.deb    # or _a"),
-    ("docs/install.md", "pip install stargrip_cam-0.2.0-cp39-abi3-manylinux_2_17_x86_"),
+    ("docs/install.md", "pip install stargrip_cam-0.2.0-cp39-abi3-manylinux2014_x86_6"),
     ("docs/install.md", "cargo install --locked --path .    # the program alone, in ~"),
     ("docs/install.md", "cd ~/.local && rm -r bin/stargrip-cam share/stargrip-cam sha"),
     ("docs/install.md", "make release          # target/dist: archives, Debian packag"),
