@@ -15,7 +15,7 @@ use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, ResumeFault, Resumed, clamp_in_the_way, resume};
 use design::RefusalCode;
 use geom::Point;
-use spec::units::{Length, Percent, Quantity};
+use spec::units::{Duration, Length, Percent, Quantity};
 use spec::{Fault, Faults};
 
 /// Arguments of `resume`.
@@ -27,9 +27,10 @@ pub(super) struct Args {
     /// The line that was running, counted from 1.
     #[arg(long, group = "place", allow_hyphen_values = true)]
     line: Option<usize>,
-    /// The elapsed part of the whole job's time, as the program shows it (M73, `; progress:`): 37%.
-    #[arg(long, group = "place", value_name = "PERCENT", value_parser = share, allow_hyphen_values = true)]
-    at: Option<f64>,
+    /// The elapsed part of the whole job's time, as the program shows it (M73, `; progress:`): 37%. Or the time since
+    /// this program began, without heating and pauses: "1 h 20 min".
+    #[arg(long, group = "place", value_name = "TIME", value_parser = elapsed, allow_hyphen_values = true)]
+    at: Option<ResumeAt>,
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     near: Option<Point>,
@@ -47,8 +48,7 @@ pub(super) struct Args {
 impl Args {
     /// The place where the job stopped.
     fn place(&self) -> Result<ResumeAt, Failure> {
-        let share = || self.at.map(ResumeAt::Share);
-        let place = self.line.map(ResumeAt::Line).or_else(share).or(self.near.map(ResumeAt::Near));
+        let place = self.line.map(ResumeAt::Line).or(self.at).or(self.near.map(ResumeAt::Near));
         place.ok_or_else(|| Failure::message("give the place where it stopped: --line, --at or --near"))
     }
 
@@ -58,9 +58,27 @@ impl Args {
     }
 }
 
-fn share(text: &str) -> Result<f64, String> {
+/// A percentage of the job, or a sum of durations such as "1 h 20 min".
+fn elapsed(text: &str) -> Result<ResumeAt, String> {
     let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..=1.0).contains(share));
-    share.ok_or_else(|| "a percentage from 0 to 100, such as 37%".to_owned())
+    let time = || seconds(text).filter(|time| (0.0..1e9).contains(time)).map(ResumeAt::Time);
+    let place = share.map(ResumeAt::Share).or_else(time);
+    place.ok_or_else(|| {
+        "a percentage from 0 to 100, such as 37%, or a time, such as \"1 h 20 min\"".to_owned()
+    })
+}
+
+/// The sum of the durations in `text`, s: each begins with a digit behind the unit of the one before.
+fn seconds(text: &str) -> Option<f64> {
+    let mut sum = 0.0;
+    let mut rest = text.trim();
+    while !rest.is_empty() {
+        let unit = rest.find(char::is_alphabetic)?;
+        let next = rest[unit..].find(|c: char| c.is_ascii_digit()).map_or(rest.len(), |digit| unit + digit);
+        sum += Duration::parse(rest[..next].trim()).ok()?.0;
+        rest = &rest[next..];
+    }
+    (!text.trim().is_empty()).then_some(sum)
 }
 
 fn point(text: &str) -> Result<Point, String> {

@@ -17,6 +17,8 @@ pub enum ResumeAt {
     Line(usize),
     /// At this fraction of the whole job's time, 0 to 1, as every program shows it: that of a rest, too.
     Share(f64),
+    /// This long after the start of this program, s, without heating and pauses.
+    Time(f64),
     /// Near this point of the sheet. Of two passes over it the first counts: sealing twice is safer than a gap.
     Near(Point),
 }
@@ -54,16 +56,19 @@ impl ResumeAt {
             Self::Share(share) if share < toolpath.share_at(0.0) - SHOWN => {
                 Err(ResumeFault::BeforeStart(toolpath.share_at(0.0)))
             }
-            Self::Share(share) => {
-                let time = toolpath.time_at(share);
-                first(toolpath, |step| {
-                    let fraction = if step.seconds > 0.0 { (time - step.begins) / step.seconds } else { 0.0 };
-                    (step.begins + step.seconds > time).then_some(fraction.clamp(0.0, 1.0))
-                })
-            }
+            Self::Share(share) => after(toolpath, toolpath.time_at(share)),
+            Self::Time(time) => after(toolpath, (time - toolpath.approach).max(0.0)),
             Self::Near(point) => near(toolpath, point),
         }
     }
+}
+
+/// The place `time` s after the first travel.
+fn after(toolpath: &Toolpath<'_>, time: f64) -> Result<StopPoint, ResumeFault> {
+    first(toolpath, |step| {
+        let fraction = if step.seconds > 0.0 { (time - step.begins) / step.seconds } else { 0.0 };
+        (step.begins + step.seconds > time).then_some(fraction.clamp(0.0, 1.0))
+    })
 }
 
 /// The first move for which `at` returns a fraction; the job stopped there.

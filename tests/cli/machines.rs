@@ -273,6 +273,15 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         said.contains("37.0 % of the job's time") && said.contains("seals the last 2.0 mm again"),
         "{said}"
     );
+    // The same place by the clock.
+    let total = before.split("total:").nth(1).and_then(|line| line.split("time_s=").nth(1));
+    let total = total.and_then(|rest| rest.split_whitespace().next());
+    let minutes = 0.37 / 60.0 * total.and_then(|time| time.parse::<f64>().ok()).expect("a time");
+    let time = format!("{} h {:.2} min", (minutes / 60.0).floor(), minutes % 60.0);
+    let said = done(dir.path(), &["resume", job, "--at", &time, "-o", "clock.gcode"]);
+    let share = said.split("after ").nth(1).and_then(|rest| rest.split_whitespace().next());
+    let share: f64 = share.and_then(|share| share.parse().ok()).expect("a percentage");
+    assert!((share - 37.0).abs() < 0.5, "{said}");
     let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
     let number = |letter: char| {
         let word = end.split_whitespace().find(|word| word.starts_with(letter));
@@ -319,6 +328,8 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
         (&["--at", "nan"], "from 0 to 100"),
         (&["--at=-1"], "from 0 to 100"),
         (&["--at", "5"], "such as 37%"),
+        (&["--at", "1 h 20"], "or a time"),
+        (&["--at", "-1 h"], "or a time"),
         (&["--near", "5,5"], "two lengths"),
         (&["--near", "5"], "two lengths"),
         (&["--near", "5,inf"], "two lengths"),

@@ -1,5 +1,6 @@
 //! Stars with their stack and frame: the design of a gripper of stars.
 
+use crate::mask_tiles::divide_masks;
 use crate::object::tight;
 use crate::placement::{SheetLayout, place};
 use crate::{Frame, Meeting, Object, PlacedPart, Refusals, Stack, StarDesign, Warning};
@@ -47,6 +48,9 @@ impl StarAssembly {
                 }
                 Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
             }
+        }
+        if let Some(bed) = spec.mask.bed {
+            let _ = refusals.keep(divide_masks(&mut distinct, bed));
         }
         refusals.or(())?;
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.process.ramp.0)).collect();

@@ -5,8 +5,10 @@
 //! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
 //! registration holes come with the tips and the middle that they lie in.
 
+use std::cell::OnceCell;
+
 use crate::joint::{JointCut, RADII};
-use crate::{MaskPlate, Outline, Refusal, RefusalCode, Star};
+use crate::{MaskPlate, Outline, Refusal, RefusalCode, Star, StarDesign};
 use geom::{Bounds, Isometry, Path, Point, Vec2};
 use spec::units::{Length, Readable, tenths_up};
 use spec::{Bed, key};
@@ -33,16 +35,14 @@ pub struct MaskTile {
     pub size: [f64; 2],
 }
 
-/// A path with its bounds at each of [`turns`], which are compared with many beds.
+/// The bounds of a path at each of [`turns`], which are compared with many beds.
 struct TurnedPath {
-    path: Path,
     bounds: Vec<Bounds>,
 }
 
 impl TurnedPath {
-    fn new(path: Path) -> Self {
-        let bounds = turns().map(|turn| Isometry::rotation(turn).path(&path).bounds()).collect();
-        Self { path, bounds }
+    fn new(path: &Path) -> Self {
+        Self { bounds: turns().map(|turn| Isometry::rotation(turn).path(path).bounds()).collect() }
     }
 
     /// The turn at which the path leaves most of the bed free; of equal ones the first.
@@ -64,7 +64,7 @@ struct Division {
     /// The middle with all windows, without any tip.
     core: TurnedPath,
     /// The edges of the tips; fewer than the cuts if one does not cut the plate.
-    tips: Vec<TurnedPath>,
+    tips: Vec<Path>,
 }
 
 impl Division {
@@ -73,9 +73,9 @@ impl Division {
         for cut in &cuts {
             let Some((tip, rest)) = cut.split(&core) else { break };
             core = rest;
-            tips.push(TurnedPath::new(tip));
+            tips.push(tip);
         }
-        Self { cuts, core: TurnedPath::new(core), tips }
+        Self { cuts, core: TurnedPath::new(&core), tips }
     }
 }
 
@@ -92,34 +92,38 @@ impl MaskTiles {
     ///
     /// # Errors
     /// If the middle with all windows is too large for the bed, or a tip is.
-    pub fn new(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Option<Bed>) -> Result<Self, Refusal> {
-        let one_tile = |fit: BedFit| Self {
-            tiles: vec![MaskTile { edge: mask.plate.clone(), tip: None, turn: fit.turn, size: fit.size }],
-            joints: Vec::new(),
-        };
-        let Some(bed) = bed else {
-            let bounds = mask.plate.bounds();
-            return Ok(one_tile(BedFit {
-                turn: 0.0,
-                size: [bounds.width(), bounds.height()],
-                clearance: 0.0,
-            }));
-        };
-        let plate = TurnedPath::new(mask.plate.clone());
+    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Bed) -> Result<Self, LargeMask> {
+        let plate = TurnedPath::new(&mask.plate);
         let fit = plate.best_fit(bed);
         if fit.clearance >= 0.0 {
-            return Ok(one_tile(fit));
+            return Ok(Self::one_tile(mask, fit.turn, fit.size));
         }
         let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
-        let divisions: Vec<Division> =
-            RADII.into_iter().map(|most| Division::new(tips(most).collect(), &mask.plate)).collect();
-        Self::fitted(&divisions, &plate, mask, bed)
-            .map_err(|large| large.refusal(bed_for_all(&divisions, &plate, mask, bed)))
+        let divisions: [OnceCell<Division>; RADII.len()] = Default::default();
+        let divisions = divisions.iter().zip(RADII).map(|(cell, most)| -> &Division {
+            cell.get_or_init(|| Division::new(tips(most).collect(), &mask.plate))
+        });
+        Self::fitted(divisions.clone(), &plate, mask, bed).map_err(|TooLarge { what, size }| LargeMask {
+            what,
+            size,
+            bed: bed_for_all(divisions, &plate, mask, bed),
+        })
+    }
+
+    /// The mask in one piece, for any bed.
+    pub(super) fn whole(mask: &MaskPlate) -> Self {
+        let bounds = mask.plate.bounds();
+        Self::one_tile(mask, 0.0, [bounds.width(), bounds.height()])
+    }
+
+    fn one_tile(mask: &MaskPlate, turn: f64, size: [f64; 2]) -> Self {
+        let tile = MaskTile { edge: mask.plate.clone(), tip: None, turn, size };
+        Self { tiles: vec![tile], joints: Vec::new() }
     }
 
     /// The pieces with the largest knobs with which all fit on `bed`, of the divisions with each largest radius.
-    fn fitted(
-        divisions: &[Division],
+    fn fitted<'a>(
+        divisions: impl Iterator<Item = &'a Division>,
         plate: &TurnedPath,
         mask: &MaskPlate,
         bed: Bed,
@@ -149,7 +153,7 @@ impl MaskTiles {
         let mut divided = Self { tiles: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&is_kept).filter(|(_, is_kept)| !**is_kept) {
-            let fit = edge.best_fit(bed);
+            let fit = TurnedPath::new(edge).best_fit(bed);
             if fit.clearance < 0.0 {
                 return Err(TooLarge { what: "a tip", size: fit.size });
             }
@@ -158,7 +162,7 @@ impl MaskTiles {
             }
             divided.joints.extend(cut.joint(&mask.plate));
             divided.tiles.push(MaskTile {
-                edge: edge.path.clone(),
+                edge: edge.clone(),
                 tip: Some(cut.tip),
                 turn: fit.turn,
                 size: fit.size,
@@ -213,9 +217,9 @@ fn clearance_on(bounds: &Bounds, bed: Bed) -> f64 {
 }
 
 /// The turn at which most tips can stay on the middle, and which; `None` if it does not even fit without any.
-fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, Vec<bool>)> {
+fn most_kept(core: &TurnedPath, tips: &[Path], bed: Bed) -> Option<(f64, Vec<bool>)> {
     let mut best: Option<(usize, f64, f64, Vec<bool>)> = None;
-    for (index, (turn, alone)) in turns().zip(&core.bounds).enumerate() {
+    for (turn, alone) in turns().zip(&core.bounds) {
         let mut bounds = *alone;
         if clearance_on(&bounds, bed) < 0.0 {
             continue;
@@ -223,7 +227,7 @@ fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, V
         let is_kept: Vec<bool> = tips
             .iter()
             .map(|tip| {
-                let union = bounds.union(tip.bounds[index]);
+                let union = bounds.union(Isometry::rotation(turn).path(tip).bounds());
                 let fits = clearance_on(&union, bed) >= 0.0;
                 if fits {
                     bounds = union;
@@ -249,12 +253,22 @@ struct TooLarge {
     size: [f64; 2],
 }
 
-impl TooLarge {
-    /// The refusal of the bed, on which `large_bed` would have room for all pieces.
-    fn refusal(&self, large_bed: Bed) -> Refusal {
+/// A mask of which a piece is larger than the bed.
+pub(super) struct LargeMask {
+    what: &'static str,
+    /// The extent of the piece where it is least too large, mm.
+    size: [f64; 2],
+    /// A bed that has room for all pieces.
+    bed: Bed,
+}
+
+impl LargeMask {
+    /// The refusal of the bed, for the masks of `count` stars of which this is the largest. `bed` has room for all of them.
+    fn refusal(&self, count: usize, bed: Bed) -> Refusal {
         let [w, h] = self.size.map(|side| Readable(tenths_up(side)));
-        let [width, depth] = [large_bed.width, large_bed.depth].map(|side| Readable(side.0));
-        let problem = format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what);
+        let [width, depth] = [bed.width, bed.depth].map(|side| Readable(side.0));
+        let masks = if count > 1 { format!("the largest of {count} masks") } else { "a mask".to_owned() };
+        let problem = format!("{} of {masks} takes {w} x {h} mm, in any orientation", self.what);
         let remedy = format!(
             "bed must be at least \"{width} mm x {depth} mm\" for all pieces; without bed the mask is written whole, \
              to be cut from its drawings"
@@ -263,15 +277,48 @@ impl TooLarge {
     }
 }
 
+/// Divides the masks of `parts` for `bed`.
+///
+/// The largest plate comes first. After one that is too large the others are divided for the bed that has room for it, so that the
+/// refusal names a bed for all.
+///
+/// # Errors
+/// The masks that are too large, as one refusal.
+pub(super) fn divide_masks(parts: &mut [StarDesign], bed: Bed) -> Result<(), Refusal> {
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    let size = |part: &StarDesign| part.mask.plate.bounds().width();
+    order.sort_by(|a, b| size(&parts[*b]).total_cmp(&size(&parts[*a])));
+    let mut enough = bed;
+    let mut largest: Option<LargeMask> = None;
+    for number in order {
+        let part = &mut parts[number];
+        match MaskTiles::new(&part.star, &part.outline, &part.mask, enough) {
+            Ok(tiles) => part.tiles = tiles,
+            Err(large) => {
+                enough = large.bed;
+                let _ = largest.get_or_insert(large);
+            }
+        }
+    }
+    largest.map_or(Ok(()), |large| Err(large.refusal(parts.len(), enough)))
+}
+
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
-fn bed_for_all(divisions: &[Division], plate: &TurnedPath, mask: &MaskPlate, bed: Bed) -> Bed {
+fn bed_for_all<'a>(
+    divisions: impl Iterator<Item = &'a Division> + Clone,
+    plate: &TurnedPath,
+    mask: &MaskPlate,
+    bed: Bed,
+) -> Bed {
     let mut bed = bed;
     loop {
         let plate_fit = plate.best_fit(bed);
         if plate_fit.clearance >= 0.0 {
             return bed;
         }
-        let Err(TooLarge { size, .. }) = MaskTiles::fitted(divisions, plate, mask, bed) else { return bed };
+        let Err(TooLarge { size, .. }) = MaskTiles::fitted(divisions.clone(), plate, mask, bed) else {
+            return bed;
+        };
         let larger = enlarged(bed, size);
         // A plate that no joint cuts must fit as a whole, whatever rounding takes.
         bed = if larger == bed { enlarged(bed, plate_fit.size.map(|side| side + 0.1)) } else { larger };

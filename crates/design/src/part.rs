@@ -27,7 +27,7 @@ pub struct StarDesign {
     pub mask: MaskPlate,
     /// The paths of the tool that cuts both.
     pub cut: CutLines,
-    /// The tiles in which the mask is printed.
+    /// The tiles in which the mask is printed: one, until it is divided for a bed.
     pub tiles: MaskTiles,
 }
 
@@ -70,18 +70,14 @@ impl StarDesign {
         let mask = outline
             .as_ref()
             .and_then(|outline| refusals.keep(MaskPlate::new(spec, star_spec, &star, outline)));
-        let (cut, tiles) = outline.as_ref().zip(mask.as_ref()).map_or((None, None), |(outline, mask)| {
-            let cut = refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask));
-            (cut, refusals.keep(MaskTiles::new(&star, outline, mask, spec.mask.bed)))
-        });
-        match (inner.zip(outer), outline, drawn_edges.zip(realised), mask, cut.zip(tiles)) {
-            (
-                Some((inner, outer)),
-                Some(outline),
-                Some((edges, realised_edges)),
-                Some(mask),
-                Some((cut, tiles)),
-            ) if refusals.is_empty() => {
+        let cut = outline
+            .as_ref()
+            .zip(mask.as_ref())
+            .and_then(|(outline, mask)| refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask)));
+        match (inner.zip(outer), outline, drawn_edges.zip(realised), mask, cut) {
+            (Some((inner, outer)), Some(outline), Some((edges, realised_edges)), Some(mask), Some(cut))
+                if refusals.is_empty() =>
+            {
                 let port = |channel: &Channel| Port {
                     at: channel.mouth_center(&star),
                     width: 2.0 * channel.half_width,
@@ -93,6 +89,7 @@ impl StarDesign {
                     ports: channel.iter().map(port).collect(),
                     valves: Vec::new(),
                 };
+                let tiles = MaskTiles::whole(&mask);
                 Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, tiles })
             }
             _ => Err(refusals.each_once()),
