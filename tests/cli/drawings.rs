@@ -222,6 +222,14 @@ fn a_port_without_room_is_one_error() {
     let refused = json(dir, &["check", "a.toml", "--json"]);
     assert_eq!(refused["refused"].as_array().map(Vec::len), Some(1), "{refused}");
     assert_eq!(refused["refused"][0]["code"], "port-too-wide", "{refused}");
+    // A port of a second piece that lies off its edge.
+    let two = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400mm\" height=\"140mm\" viewBox=\"0 0 400 140\"><g id=\"air\">\
+         <path id=\"o\" d=\"M 20 20 H 180 V 120 H 20 Z M 220 20 H 320 V 120 H 220 Z\"/></g>\
+         <g id=\"port\"><path id=\"h\" d=\"M 18 70 H 22\"/><path id=\"k\" d=\"M 360 70 H 364\"/></g></svg>";
+    fs::write(dir.join("d.svg"), two).expect("written");
+    let refused = json(dir, &["check", "a.toml", "--json"]);
+    assert_eq!(refused["refused"].as_array().map(Vec::len), Some(1), "{refused}");
+    assert_eq!(refused["refused"][0]["code"], "port-off-edge", "{refused}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::drawn::{DrawnPiece, Measure, rules, sketch};
 use crate::placement::{SheetLayout, footprint, place};
-use crate::{FlatPiece, PlacedPart, Refusals, Warning};
+use crate::{FlatPiece, PlacedPart, RefusalCode, Refusals, Warning};
 use geom::{Bounds, Path};
 use sealed::{DrawnPort, separate};
 use spec::{DrawingSpec, Fabric, Machine, Spec};
@@ -46,7 +46,7 @@ impl DrawnPieces {
                 notes.extend(repairs);
             }
         }
-        refusals.or(())?;
+        without_missing_ports(refusals).or(())?;
         let ramp = machine.process.ramp.0;
         let bounds: Vec<Bounds> =
             pieces.iter().map(|piece| footprint(&piece.shape, &piece.tool.outside, ramp)).collect();
@@ -82,4 +82,13 @@ impl DrawnPieces {
     pub fn mass(&self, fabric: &Fabric) -> Option<f64> {
         self.pieces.iter().map(|piece| FlatPiece::Drawn(piece).mass(fabric)).sum()
     }
+}
+
+/// The refusals of all pieces without those of chambers that have no port, where as many ports were refused: those are meant for them.
+fn without_missing_ports(refusals: Refusals) -> Refusals {
+    use RefusalCode::{ChamberWithoutPort, PortOffEdge, PortTooWide};
+    let count =
+        |codes: &[RefusalCode]| refusals.iter().filter(|refusal| codes.contains(&refusal.code)).count();
+    let is_meant = count(&[ChamberWithoutPort]) <= count(&[PortOffEdge, PortTooWide]);
+    refusals.into_iter().filter(|refusal| !(is_meant && refusal.code == ChamberWithoutPort)).collect()
 }
