@@ -54,8 +54,11 @@ fn star(text: &str) -> Result<Design, Refusals> {
 
 #[test]
 fn the_bed_that_is_named_has_room_for_all_pieces() {
-    for bed in ["50 mm x 50 mm", "128.8 mm x 128.8 mm", "200 mm x 60 mm", "20 mm x 300 mm"] {
-        let with = |bed: &str| star(&format!("{FOUR}[mask]\nbed = \"{bed}\"\n"));
+    let beds = ["50 mm x 50 mm", "128.8 mm x 128.8 mm", "200 mm x 60 mm", "20 mm x 300 mm"];
+    // One refusal for masks of stars that differ, too.
+    let stars = "[stack]\ncount = 3\n[[stack.star]]\nindex = 2\ninner_radius = \"41 mm\"\n";
+    for (bed, stack) in beds.into_iter().flat_map(|bed| [(bed, ""), (bed, stars)]) {
+        let with = |bed: &str| star(&format!("{FOUR}[mask]\nbed = \"{bed}\"\n{stack}"));
         let refusal = only(&with(bed).expect_err("too small"));
         assert_eq!(refusal.code, RefusalCode::SmallBed);
         let enough = refusal.remedy.split('"').nth(1).expect("a bed");

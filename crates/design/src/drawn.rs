@@ -304,11 +304,10 @@ fn unusual_size(sketch: &Sketch) -> Option<String> {
 /// The question about the unit of a drawing whose size is unusual.
 pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
     let is_usual = USUAL_SIZES.contains(&width.max(height));
-    let size = [width, height].map(|side| Readable(if side >= 1e4 { side / 1000.0 } else { side }));
-    let unit = if width.max(height) >= 1e4 { "m" } else { "mm" };
-    (!is_usual).then(|| {
-        format!("The drawing is {} x {} {unit}: is the unit right (mm, cm, m, in, px)?", size[0], size[1])
-    })
+    let (unit, scale) = if width.max(height) >= 1e4 { ("m", 1000.0) } else { ("mm", 1.0) };
+    let [width, height] = [width, height].map(|side| Readable(side / scale));
+    (!is_usual)
+        .then(|| format!("The drawing is {width} x {height} {unit}: is the unit right (mm, cm, m, in, px)?"))
 }
 
 /// The sketch of `drawing` by its roles, its measures, and the notes on its repairs.

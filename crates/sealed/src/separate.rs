@@ -42,8 +42,11 @@ impl PieceOutline {
     }
 }
 
-/// The parts of `sketch`, each figure at the nearest of the `outlines`.
+/// The parts of `sketch`, each figure at the nearest of the `outlines`; none without an outline.
 fn shared_out(sketch: &Sketch, outlines: &[PieceOutline]) -> Vec<Sketch> {
+    if outlines.is_empty() {
+        return Vec::new();
+    }
     let nearest = |p: Point| {
         let distances = outlines.iter().map(|outline| outline.distance(p)).enumerate();
         distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(number, _)| number)
@@ -166,4 +169,38 @@ fn open_outlines(network: &Network, air: usize) -> Vec<(Path, usize)> {
         Some((Path::closed(edge.path.segments.iter().copied().chain([chord]).collect()), source))
     };
     network.edges.iter().filter_map(outline).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RULES: Rules = Rules {
+        band: 2.0,
+        allowance: 8.0,
+        join: 0.05,
+        overlap: 5.0,
+        port_width: 6.0,
+        overrun: 1.0,
+        least_passage: 5.0,
+        flange: 10.0,
+    };
+
+    /// Open lines far from each other, as seams, cuts and edges: no piece has an outline.
+    #[test]
+    fn lines_without_an_outline_are_one_piece() {
+        let line = |x: f64| DrawnCurve {
+            name: "line".to_owned(),
+            path: Path::through(&[Point::new(x, 0.0), Point::new(x, 50.0)]),
+        };
+        let lines = || vec![line(0.0), line(100.0), line(200.0)];
+        for sketch in [
+            Sketch { seams: lines(), ..Sketch::default() },
+            Sketch { air: lines(), ..Sketch::default() },
+            Sketch { cuts: lines(), seams: lines(), ..Sketch::default() },
+            Sketch { cuts: lines(), ..Sketch::default() },
+        ] {
+            assert_eq!(separate(&sketch, &RULES).len(), 1);
+        }
+    }
 }
