@@ -77,7 +77,7 @@ impl Mouth {
             begins.reduce(f64::min)
         };
         let begin = side(1.0)?.max(side(-1.0)?);
-        Some(if begin < ON_SIDE { 0.0 } else { begin })
+        Some(if begin < 1e-6 { 0.0 } else { begin })
     }
 
     /// The ends, from the middle of the mouth, of the part of a line that lies in front of the mouth, the nearer one first.
