@@ -136,6 +136,7 @@ export function tasks(use, must) {
             await holds('pressure = "5 kPa"');
             await click("#view-solid");
             await use.framed("body.only-solid #solid-view");
+            await inSight("#inflate");
             await click("#view-sheet");
         },
         "send a link, and find an earlier spec again": async () => {

@@ -44,6 +44,8 @@ export function proposals(fault) {
     const size = (words) => Number.parseFloat(words?.replace('"', "")), present = size(/ is \u0060?(-?[\d.]+)/.exec(fault.found)?.[1]);
     if (Number.isFinite(present)) ends.sort((a, b) => Math.abs(size(a) - present) - Math.abs(size(b) - present)).splice(1);
     for (const end of key ? ends : []) propose(key, end);
+    const unit = /is not a unit .*must be one of ([^\s,]+)/.exec(text)?.[1];
+    if (key && unit && Number.isFinite(present)) propose(key, JSON.stringify(`${present} ${unit}`));
     if (key && /\bdelete (it|this|\[)/.test(text)) list.push({ label: `delete ${key.split(".").pop()}`, key, value: undefined });
     return list;
 }

@@ -162,7 +162,7 @@ function listen() {
     listenTabs(document.querySelector("#side > .tabs"), ({ id }) => beside(id.slice("tab-".length)));
     byId("skip-spec").addEventListener("click", () => beside("text"));
     byId("machine").addEventListener("change", ({ target }) => change("machine.profile", JSON.stringify(target.value), null));
-    byId("shell-start").addEventListener("click", () => maker.shell());
+    for (const start of ["shell-start", "inflate"]) byId(start).addEventListener("click", () => maker.shell());
     byId("anyway").addEventListener("change", () => maker.build());
     window.addEventListener("beforeprint", () => (byId("before").open = true));
 }

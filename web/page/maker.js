@@ -91,9 +91,9 @@ export class Maker {
     async shell() {
         const began = performance.now();
         byId("shell-note").textContent = "Computing ...";
-        byId("shell-start").disabled = true;
+        for (const start of ["shell-start", "inflate"]) byId(start).disabled = true;
         const answer = await this.report({ model: "shell" });
-        byId("shell-start").disabled = false;
+        for (const start of ["shell-start", "inflate"]) byId(start).disabled = false;
         byId("shell-note").textContent = answer ? `Computed in ${((performance.now() - began) / 1000).toFixed(1)} s, on coarse meshes. The report has its numbers, each with its mesh error.` : "Stopped.";
         if (!answer) return;
         this.#shown.result.show(answer);

@@ -1,4 +1,4 @@
-// The report and its scene in a frame. A new report is loaded behind the old one and takes its place, view and sliders before it is shown.
+// The report and its scene in a frame. A report is loaded unseen, takes the place, view and sliders of the one before, and is then shown.
 import { byId, element } from "./dom.js";
 
 export class ReportView {
@@ -26,7 +26,7 @@ export class ReportView {
     /** Shows the report `html`. */
     show(html) {
         this.#next?.remove();
-        this.#next = element("iframe", { title: "Report", srcdoc: html, className: this.#frame ? "next" : "" });
+        this.#next = element("iframe", { title: "Report", srcdoc: html, className: "next" });
         this.#next.setAttribute("sandbox", "allow-scripts");
         byId("report-box").append(this.#next);
     }

@@ -24,6 +24,8 @@ export class Stage {
     /** What the drawing measures when it is inflated, as far as that is computed. */
     #measures = [];
     #isRefused = false;
+    /** Whether the drawing has a pressure, but no computed shape. */
+    #isFlat = false;
     /** The drawing with its faults as it is shown, as text; empty in other views. */
     #shownDrawing = "";
     #setRole;
@@ -43,7 +45,9 @@ export class Stage {
         this.#view = view;
         this.#report.isSolid = view === "solid";
         this.#draw();
-        if (this.needsReport) this.#wantReport();
+        if (!this.needsReport) return;
+        if (!this.#report.isThere) byId("report-note").textContent = "Making the report ...";
+        this.#wantReport();
     }
 
     /** Whether the present view is made of the report. */
@@ -57,6 +61,7 @@ export class Stage {
         this.#isRefused = !overview;
         if (sheets) this.#sheets = sheets;
         if (sheets || drawing) this.#drawing = drawing ?? null;
+        if (overview) this.#isFlat = overview.stars === 0 && overview.prediction?.model === "none";
         const measures = overview?.prediction?.measures ?? [];
         if (sheets || measures.length > 0) this.#measures = measures;
         this.#faults = faults;
@@ -86,6 +91,7 @@ export class Stage {
         byId("picture").hidden = !isPicture;
         byId("picture").setAttribute("aria-labelledby", `view-${view}`);
         byId("report-box").hidden = isPicture;
+        byId("inflate").hidden = view !== "solid" || !this.#isFlat;
         byId("sheets").hidden = view !== "sheet" || this.#sheets.length < 2;
         document.body.classList.toggle("reading", view === "report");
         // A drawing that stays the same is not drawn again: a menu over it stays open while files are made.
