@@ -86,7 +86,7 @@ impl Planned {
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         match Design::new(&spec, &machine) {
             Ok(design) => planned::planned(spec, machine, design),
-            Err(_) => Err(refused::refused(&spec, &machine)),
+            Err(refusals) => Err(refused::refused(&spec, &machine, refusals)),
         }
     }
 

@@ -25,11 +25,13 @@ struct Mended {
 }
 
 impl Mended {
-    fn new(spec: &Spec, machine: &Machine) -> Self {
+    /// Mends `spec` and `machine`, of which `design` is the design.
+    fn new(spec: &Spec, machine: &Machine, design: Result<Design, Refusals>) -> Self {
         let mut mended =
             Self { spec: spec.clone(), machine: machine.clone(), refusals: Refusals::new(), design: None };
+        let mut result = design;
         for _ in 0..ROUNDS {
-            match Design::new(&mended.spec, &mended.machine) {
+            match result {
                 Ok(design) => return Self { design: Some(design), ..mended },
                 Err(refusals) => {
                     // Each one is mended, also after one that cannot be.
@@ -40,6 +42,7 @@ impl Mended {
                     }
                 }
             }
+            result = Design::new(&mended.spec, &mended.machine);
         }
         mended
     }
@@ -86,9 +89,9 @@ impl Mended {
     }
 }
 
-/// All reasons why the stages up to the programs refuse `spec` or `machine`; none if they do not.
-pub(super) fn refused(spec: &Spec, machine: &Machine) -> Refusals {
-    let mut mended = Mended::new(spec, machine);
+/// All reasons why the stages up to the programs refuse `spec` or `machine`, whose design has these `refusals`.
+pub(super) fn refused(spec: &Spec, machine: &Machine, refusals: Refusals) -> Refusals {
+    let mut mended = Mended::new(spec, machine, Err(refusals));
     if let Some(design) = mended.design.take() {
         let refused = planned(mended.spec.clone(), mended.machine.clone(), design).err().unwrap_or_default();
         // A mended inlet is none, which would leave the star without air.
@@ -101,7 +104,7 @@ pub(super) fn refused(spec: &Spec, machine: &Machine) -> Refusals {
 /// The reasons why a gripper of `spec`, which the design refuses, does not suit its own load, as far as that can be judged. Models that compute
 /// for long are left out.
 pub fn unfit_besides(spec: &Spec, machine: &Machine) -> Refusals {
-    let Mended { spec, design, .. } = Mended::new(spec, machine);
+    let Mended { spec, design, .. } = Mended::new(spec, machine, Design::new(spec, machine));
     let is_fast = !matches!(spec.accuracy.model, ModelChoice::Shell | ModelChoice::Bvp);
     let stars = design.filter(|design| design.assembly().is_some() && spec.load.is_some() && is_fast);
     stars.map_or_else(Refusals::new, |design| match predict(&spec, &design) {

@@ -106,7 +106,7 @@ impl MaskTiles {
         Self::fitted(divisions.clone(), &plate, mask, bed).map_err(|TooLarge { what, size }| LargeMask {
             what,
             size,
-            bed: bed_for_all(divisions, &plate, mask, bed),
+            bed: bed_for_all(&divisions, &plate, mask, bed),
         })
     }
 
@@ -305,7 +305,7 @@ pub(super) fn divide_masks(parts: &mut [StarDesign], bed: Bed) -> Result<(), Ref
 
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
 fn bed_for_all<'a>(
-    divisions: impl Iterator<Item = &'a Division> + Clone,
+    divisions: &(impl Iterator<Item = &'a Division> + Clone),
     plate: &TurnedPath,
     mask: &MaskPlate,
     bed: Bed,

@@ -89,7 +89,7 @@ where
         }
         let residual = largest(&current.0);
         if residual <= 0.1 * tolerance {
-            return Ok(NewtonReport { point, residual: residual, iterations });
+            return Ok(NewtonReport { point, residual, iterations });
         }
     }
     Err(NewtonFault::Exhausted { residual: largest(&current.0) })
