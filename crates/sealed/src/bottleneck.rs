@@ -3,7 +3,8 @@
 //! A pair of points p, q is a bottleneck if no neighbour of p on its curve is nearer to q, and no neighbour of q nearer to p: the line
 //! between them is normal to both curves, or within the cone of normals of a corner or an end.
 
-use crate::clean::{Crowd, quarters};
+use crate::doubles::quarters;
+use crate::fault::Crowd;
 use geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 
 /// Directions closer to a right angle than this are right, rad.
@@ -18,7 +19,7 @@ const MOST_PAIRS: usize = 100_000_000;
 
 /// The nearest points of two stretches.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bottleneck {
+pub(crate) struct Bottleneck {
     /// The numbers of the curves.
     pub curves: [usize; 2],
     /// A point on each.
@@ -33,13 +34,13 @@ pub(super) struct Bottleneck {
 
 impl Bottleneck {
     /// The middle of it.
-    pub(super) fn middle(&self) -> Point {
+    pub(crate) fn middle(&self) -> Point {
         self.points[0].midpoint(self.points[1])
     }
 }
 
 /// A curve, and whether its start and end are joined to others, so that they do not count as ends.
-pub(super) struct GapCurve<'a> {
+pub(crate) struct GapCurve<'a> {
     pub path: &'a Path,
     pub joined: [bool; 2],
 }
@@ -72,16 +73,16 @@ struct TurnPoint {
 ///
 /// # Errors
 /// If more than [`MOST_PAIRS`] stretches would have to be compared.
-pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bottleneck>, Crowd> {
+pub(crate) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bottleneck>, Crowd> {
     let mut parts = Vec::new();
     let mut counts = Vec::new();
     for (number, curve) in curves.iter().enumerate() {
-        let before = parts.len();
+        let first = parts.len();
         add_parts(&mut parts, number, curve);
-        counts.push(parts.len() - before);
+        counts.push(parts.len() - first);
     }
     let index = BoxIndex::new(parts.iter().map(|part| part.segment.bounds_of(part.ends)));
-    let mut found: Vec<Bottleneck> = Vec::new();
+    let mut bottlenecks: Vec<Bottleneck> = Vec::new();
     let mut compared = 0;
     for (i, a) in parts.iter().enumerate() {
         if compared > MOST_PAIRS {
@@ -102,66 +103,77 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
                 let width = p.distance(q);
                 if width < limit && width > ONE {
                     let (curves, stations) = ([a.curve, b.curve], [a.station(p), b.station(q)]);
-                    found.push(Bottleneck { curves, points: [p, q], stations, width, at_corner });
+                    bottlenecks.push(Bottleneck { curves, points: [p, q], stations, width, at_corner });
                 }
             });
         });
     }
-    found.sort_by(|a, b| {
+    bottlenecks.sort_by(|a, b| {
         let (p, q) = (a.points[0], b.points[0]);
         // At equal widths, those inside segments come first: they are in the middle of the narrow part.
         let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
     });
-    found.retain(|bottleneck| is_clear(&parts, &index, bottleneck));
-    Ok(found)
+    bottlenecks.retain(|bottleneck| is_clear(&parts, &index, bottleneck));
+    Ok(bottlenecks)
 }
 
+/// Adds the parts of a curve, each of a quarter turn at most.
+///
+/// A part has the corner at its start, and the last one of an open curve that at its end. An end that is joined to another curve is no
+/// corner. `turn` bounds how far tangents of the part turn from the middle one, so that most pairs of parts need no closer look.
 fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
     let pieces: Vec<Segment> = path.segments.iter().flat_map(quarters).map(|(part, ..)| part).collect();
     let count = pieces.len();
-    let arc = |segment: &Segment| if let Segment::Arc(arc) = segment { Some(*arc) } else { None };
     let mut length_before = 0.0;
     for (at, segment) in pieces.iter().enumerate() {
-        let before = if at > 0 { Some(at - 1) } else { path.closed.then_some(count - 1) };
-        let before = before.map(|before| &pieces[before]);
+        let previous = if at > 0 { Some(at - 1) } else { path.closed.then_some(count - 1) };
+        let previous = previous.map(|previous| &pieces[previous]);
         let ends = [segment.start(), segment.end()];
         let mut corners = Vec::new();
-        if before.is_some() || !joined[0] {
+        if previous.is_some() || !joined[0] {
             corners.push(TurnPoint {
                 at: ends[0],
-                arriving: before.map(|before| before.tangent(1.0)),
+                arriving: previous.map(|previous| previous.tangent(1.0)),
                 leaving: Some(segment.tangent(0.0)),
-                bends: [before.and_then(arc), arc(segment)],
+                bends: [previous.and_then(arc_of), arc_of(segment)],
             });
         }
         if at + 1 == count && !path.closed && !joined[1] {
             let arriving = Some(segment.tangent(1.0));
-            corners.push(TurnPoint { at: ends[1], arriving, leaving: None, bends: [arc(segment), None] });
+            corners.push(TurnPoint { at: ends[1], arriving, leaving: None, bends: [arc_of(segment), None] });
         }
-        let tangent = segment.tangent(0.5);
-        let sides = corners.iter().flat_map(|corner| [corner.arriving, corner.leaving]);
-        let sides = sides.flatten().chain([segment.tangent(0.0), segment.tangent(1.0)]);
-        let cosine = sides.map(|side| side.dot(tangent)).fold(1.0, f64::min);
-        let at_end = corners.iter().any(|corner| corner.arriving.is_none() || corner.leaving.is_none());
-        let turn = if at_end || cosine <= 0.0 { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
         let (middle, half) = (segment.point(0.5), segment.length() / 2.0);
-        let segment = *segment;
         parts.push(CurvePart {
             curve,
             at,
             before: length_before,
-            segment,
+            segment: *segment,
             ends,
             middle,
             half,
-            tangent,
-            turn,
+            tangent: segment.tangent(0.5),
+            turn: turn_of(segment, &corners),
             corners,
         });
         length_before += 2.0 * half;
     }
+}
+
+/// The arc that a segment is.
+fn arc_of(segment: &Segment) -> Option<Arc> {
+    if let Segment::Arc(arc) = segment { Some(*arc) } else { None }
+}
+
+/// Sine of how far tangents in a segment and at its `corners` turn from that in its middle; 1 where a corner is an end.
+fn turn_of(segment: &Segment, corners: &[TurnPoint]) -> f64 {
+    let tangent = segment.tangent(0.5);
+    let sides = corners.iter().flat_map(|corner| [corner.arriving, corner.leaving]);
+    let sides = sides.flatten().chain([segment.tangent(0.0), segment.tangent(1.0)]);
+    let cosine = sides.map(|side| side.dot(tangent)).fold(1.0, f64::min);
+    let is_end = corners.iter().any(|corner| corner.arriving.is_none() || corner.leaving.is_none());
+    if is_end || cosine <= 0.0 { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() }
 }
 
 impl CurvePart {
@@ -175,10 +187,11 @@ impl CurvePart {
 fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
     let way = b.middle - a.middle;
     let (length, reach) = (way.length(), a.half + b.half);
-    let off = |part: &CurvePart| way.dot(part.tangent).abs() <= (length + reach) * part.turn + reach + ONE;
-    length <= limit + reach && off(a) && off(b)
+    length <= limit + reach
+        && [a, b].iter().all(|part| way.dot(part.tangent).abs() <= (length + reach) * part.turn + reach + ONE)
 }
 
+/// Calls `see` with the pairs of points of two parts that are nearest to each other, and whether one of them is a corner.
 fn pairs(a: &CurvePart, b: &CurvePart, see: &mut impl FnMut(Point, Point, bool)) {
     inner_pairs(&a.segment, &b.segment, &mut |p, q| see(p, q, false));
     for corner in &a.corners {
@@ -202,11 +215,16 @@ impl TurnPoint {
     /// Whether no neighbour of the corner is nearer to `q`.
     fn faces(&self, q: Point) -> bool {
         let way = (q - self.at).normalized();
-        let near = |along: f64, bend: &Option<Arc>| {
-            along < -RIGHT || (along <= RIGHT && bend.is_none_or(|arc| is_least(&arc, self.at, q)))
-        };
-        self.leaving.is_none_or(|tangent| near(way.dot(tangent), &self.bends[1]))
-            && self.arriving.is_none_or(|tangent| near(-way.dot(tangent), &self.bends[0]))
+        self.leaving.is_none_or(|tangent| self.has_no_nearer(q, way.dot(tangent), self.bends[1].as_ref()))
+            && self
+                .arriving
+                .is_none_or(|tangent| self.has_no_nearer(q, -way.dot(tangent), self.bends[0].as_ref()))
+    }
+
+    /// Whether a side of the corner, along the arc `bend` or straight, has no point nearer to `q`. `cosine` is that between the side and the
+    /// way to `q`.
+    fn has_no_nearer(&self, q: Point, cosine: f64, bend: Option<&Arc>) -> bool {
+        cosine < -RIGHT || (cosine <= RIGHT && bend.is_none_or(|arc| is_least(arc, self.at, q)))
     }
 }
 
@@ -248,8 +266,8 @@ fn inner_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
             }
             let (t, u) = (p.nearest_fraction(q.start), p.nearest_fraction(q.end));
             if (t - u).abs() * p.length() > ONE {
-                let at = p.start.lerp(p.end, f64::midpoint(t, u));
-                see(at, q.start.lerp(q.end, q.nearest_fraction(at)));
+                let middle = p.start.lerp(p.end, f64::midpoint(t, u));
+                see(middle, q.start.lerp(q.end, q.nearest_fraction(middle)));
             }
         }
         (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, see),

@@ -1,99 +1,133 @@
-//! Seams that are drawn as centre lines.
+//! Seams that are drawn as centre lines: closed ones are edges of the air, open ones walls and welds.
 
-use crate::air::depth;
-use crate::around::opened;
-use crate::edge_gaps::close_edge_gaps;
-use crate::fault::ShapeCode;
-use crate::join::NetworkEdge;
-use crate::layout::{Layout, Line, LineUse};
-use crate::loose::crossings;
-use crate::mouth::NoChannel;
-use crate::notes::{SealingNotes, named};
+use crate::bands::{Band, BandKind, Bands, FollowedEdge, opened_bands};
+use crate::fault::{Noted, SealingNotes, named};
+use crate::mended::{MendedCurves, NamedPath};
+use crate::network::NetworkEdge;
 use crate::offset::offset_right;
-use crate::ports::{Opening, no_channel, open_ports};
+use crate::pieces::{NOTHING, with_end};
+use crate::ports::{OpenedEdges, Opening, open_ports};
+use crate::regions::depth;
 use crate::segments::Segments;
-use crate::sketch::{Rules, Sketch};
-use geom::{Enclosures, Path, Point};
+use crate::sketch::{DrawnPort, Rules};
+use geom::{Bounds, Enclosures, Path, SegmentIndex};
 
-/// The drawn seams beside `lines`: closed ones are edges of the air, open ones walls if both ends lie on bands, else welds.
-pub(super) fn drawn_seams(
-    sketch: &Sketch,
+/// A closed drawn seam.
+struct ClosedSeam {
+    path: Path,
+    names: Vec<String>,
+    /// Whether the air is inside.
+    is_outer: bool,
+}
+
+/// The `bands` with drawn seams: closed ones are edges of the air, open ones welds.
+///
+/// The ends of welds are led to the edges that they miss by a gap. A closed seam lies on the air's side by the number of closed seams and
+/// outer edges around it. Ports that are not taken open the outer ones.
+pub(crate) fn with_seams(
+    mut bands: Bands,
+    seams: MendedCurves,
+    ports: &[DrawnPort],
     rules: &Rules,
-    taken: &mut Vec<usize>,
-    lines: &mut Layout,
-    notes: &mut SealingNotes,
-) {
-    if sketch.seams.is_empty() {
-        return;
+) -> Noted<Bands> {
+    let mut notes = SealingNotes::default();
+    if seams.names.is_empty() {
+        return (bands, notes);
     }
-    let (pieces, names) = notes.mended_pieces(&sketch.seams, rules.join);
-    let pieces = notes.split_at_crossings(pieces, &names, rules.join);
-    let network = notes.joined(&pieces, &names, rules.join);
-    crossings(&network, &names, rules.join, notes);
-    let (closed, welds): (Vec<NetworkEdge>, _) =
+    let MendedCurves { network, names, .. } = seams;
+    let (closed, open): (Vec<NetworkEdge>, _) =
         network.edges.into_iter().partition(|edge| edge.nodes.is_none());
-    let with_names = |edge: NetworkEdge| (edge.path, named(&edge.sources, &names));
-    let closed: Vec<(Path, Vec<String>)> = closed.into_iter().map(with_names).collect();
-    let mut welds: Vec<(Path, Vec<String>)> = welds.into_iter().map(with_names).collect();
-    close_edge_gaps(&mut welds, lines, rules, notes);
-    for (path, names) in welds {
-        lines.air.seams.push(path.clone());
-        lines.lines.push(Line { path, names, kind: LineUse::Weld, joined: [false; 2] });
+    let with_names = |edge: NetworkEdge| NamedPath { names: named(&edge.sources, &names), path: edge.path };
+    let (welds, pass_notes) = without_edge_gaps(open.into_iter().map(with_names).collect(), &bands, rules);
+    notes += pass_notes;
+    for NamedPath { path, names } in welds {
+        bands.air.seams.push(path.clone());
+        bands.list.push(Band { path, names, kind: BandKind::Weld, joined: [false; 2] });
     }
-    let all: Vec<&Path> =
-        closed.iter().map(|(path, _)| path).chain(lines.edges.iter().map(|(path, _)| path)).collect();
-    let around = Enclosures::new(all.iter().copied());
-    let outer: Vec<bool> = closed.iter().map(|(path, _)| depth(&around, path).is_multiple_of(2)).collect();
-    let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
-    // Each with its names, and whether it is an outer edge.
-    let mut edges: Vec<(Path, Vec<String>, bool)> = Vec::new();
-    for ((path, names), outer) in closed.into_iter().zip(outer) {
-        let path = if (path.area() > 0.0) == outer { path } else { path.reversed() };
+    let seams = closed_seams(closed.into_iter().map(with_names).collect(), &bands.cut_edges);
+    let half_band = rules.band / 2.0;
+    for seam in &seams {
         // The air is on the left, and begins where the band ends.
-        lines.air.closed.extend(offset_right(&path, -half));
-        edges.push((path, names, outer));
+        bands.air.closed.extend(offset_right(&seam.path, -half_band));
     }
-    let outlines = edges.iter_mut().filter(|(.., outer)| *outer).map(|(path, ..)| path).collect();
-    let opening = Opening { half, length, may_wait: false };
-    let mut mouths = Vec::new();
-    open_ports(sketch, rules, &opening, outlines, &mut mouths, taken, notes);
-    lines.mouths.extend(mouths);
-    for (path, names, outer) in edges {
-        let kind = if outer { LineUse::Outer } else { LineUse::Island };
-        lines.closed.push(path.clone());
-        lines.air.edges.extend(offset_right(&path, -half));
-        for path in opened(path.clone(), &lines.mouths, rules, half) {
-            lines.lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
-        }
-        if outer {
-            lines.edges.push((path, length));
+    let length = half_band + rules.allowance;
+    let outlines = OpenedEdges {
+        edges: seams.iter().filter(|seam| seam.is_outer).map(|seam| seam.path.clone()).collect(),
+        mouths: Vec::new(),
+        taken_ports: std::mem::take(&mut bands.taken_ports),
+    };
+    let opening = Opening { half_band, length, may_wait: false };
+    let (OpenedEdges { edges, mouths, taken_ports }, pass_notes) =
+        open_ports(outlines, ports, &opening, rules);
+    notes += pass_notes;
+    bands.taken_ports = taken_ports;
+    bands.mouths.extend(mouths);
+    let mut opened_edges = edges.into_iter();
+    for ClosedSeam { path, names, is_outer } in seams {
+        let opened_edge = if is_outer { opened_edges.next() } else { None };
+        let path = opened_edge.unwrap_or(path);
+        let kind = if is_outer { BandKind::Outer } else { BandKind::Island };
+        bands.closed.push(path.clone());
+        bands.air.edges.extend(offset_right(&path, -half_band));
+        bands.list.extend(opened_bands(path.clone(), &names, kind, &bands.mouths, rules));
+        if is_outer {
+            bands.cut_edges.push(FollowedEdge { path, distance: length });
         }
     }
+    (bands, notes)
 }
 
-/// Notes which ends of welds lie on another band, within half a band of its centre line: those with two are walls.
-pub(super) fn join_ends(lines: &mut [Line], band: f64) {
-    let segments = Segments::of(lines.iter().map(|line| &line.path));
-    let reach = band / 2.0 + 1e-6;
-    for (number, line) in lines.iter_mut().enumerate().filter(|(_, line)| line.kind == LineUse::Weld) {
-        let ends = [line.path.start(), line.path.end()].map(|end| end.unwrap_or(Point::ORIGIN));
-        line.joined =
-            [0, 1].map(|which| segments.has_joint((number, &line.path), ends[which], which == 0, reach));
-        if line.joined == [true; 2] {
-            line.kind = LineUse::Wall;
-        }
-    }
+/// The closed seams with the air on their left: `edges` and seams around one tell on which side that is.
+fn closed_seams(seams: Vec<NamedPath>, edges: &[FollowedEdge]) -> Vec<ClosedSeam> {
+    let seam_paths = seams.iter().map(|seam| &seam.path);
+    let enclosures = Enclosures::new(seam_paths.chain(edges.iter().map(|edge| &edge.path)));
+    let oriented = |NamedPath { path, names }| {
+        let is_outer = depth(&enclosures, &path).is_multiple_of(2);
+        let path = if (path.area() > 0.0) == is_outer { path } else { path.reversed() };
+        ClosedSeam { path, names, is_outer }
+    };
+    seams.into_iter().map(oriented).collect()
 }
 
-/// Faults of ports that no edge took.
-pub(super) fn lost_ports(sketch: &Sketch, rules: &Rules, taken: &[usize], notes: &mut SealingNotes) {
-    for (number, port) in sketch.ports.iter().enumerate() {
-        let known = notes.faults.iter().any(|fault| {
-            [ShapeCode::LostPort, ShapeCode::PortTooWide].contains(&fault.code)
-                && fault.names == [port.name.as_str()]
-        });
-        if !taken.contains(&number) && !known {
-            no_channel(&NoChannel::Far(f64::INFINITY), &port.name, port.place.middle(), rules, notes);
+/// The `welds`, of which each end that lies off every band, but within `join` of an edge of the air, is moved to that edge, where the band
+/// begins: a gap there is closed as one between two ends is.
+fn without_edge_gaps(mut welds: Vec<NamedPath>, bands: &Bands, rules: &Rules) -> Noted<Vec<NamedPath>> {
+    let mut notes = SealingNotes::default();
+    let edges = Segments::new(&bands.air.closed);
+    let center_lines =
+        SegmentIndex::new(bands.list.iter().flat_map(|band| band.path.segments.clone()).collect());
+    let reach = rules.band / 2.0 + 2e-6;
+    for NamedPath { path, names } in &mut welds {
+        for is_start in [true, false] {
+            let mut way = if is_start { path.reversed() } else { path.clone() };
+            let Some(last) = way.segments.last_mut() else { continue };
+            let end = last.end();
+            let candidates = edges.overlapping(Bounds::of_points([end]).grown(rules.join));
+            let feet = candidates.map(|edge| edge.segment.point(edge.segment.nearest_fraction(end)));
+            let feet = feet.map(|foot| (foot.distance(end), foot)).filter(|(gap, _)| *gap <= rules.join);
+            let Some((gap, foot)) = feet.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            if gap <= NOTHING || center_lines.has_within(end, reach) {
+                continue;
+            }
+            *last = with_end(last, foot);
+            *path = if is_start { way.reversed() } else { way };
+            let nearest = bands.list.iter().find(|band| band.path.distance(foot) < reach);
+            let edge_names = nearest.map_or(Vec::new(), |band| band.names.clone());
+            notes.gap_closed([names.clone(), edge_names].concat(), foot, gap);
         }
     }
+    (welds, notes)
+}
+
+/// The bands, with the ends of welds that lie on another band, within half a band of its centre line: a weld with two is a wall.
+pub(crate) fn join_ends(mut bands: Vec<Band>, width: f64) -> Vec<Band> {
+    let segments = Segments::new(bands.iter().map(|band| &band.path));
+    let reach = width / 2.0 + 1e-6;
+    for (number, band) in bands.iter_mut().enumerate().filter(|(_, band)| band.kind == BandKind::Weld) {
+        band.joined = [true, false].map(|is_start| segments.has_joint(number, &band.path, is_start, reach));
+        if band.joined == [true; 2] {
+            band.kind = BandKind::Wall;
+        }
+    }
+    bands
 }

@@ -1,6 +1,7 @@
-//! Repairs, warnings and faults of a sketch: each with names, a place and numbers.
+//! Repairs, warnings and faults of a sketch, each with names, a place and values: the **notes** that a pass returns beside its result.
 
 use std::fmt;
+use std::ops::AddAssign;
 
 use geom::Point;
 
@@ -67,7 +68,7 @@ pub enum ShapeCode {
 /// A fault or warning about a shape: the finding, its place, the limit, and the remedy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeFault {
-    /// Its kind.
+    /// The kind.
     pub code: ShapeCode,
     /// The curves.
     pub names: Vec<String>,
@@ -87,36 +88,111 @@ pub struct ShapeFault {
 pub type ShapeWarning = ShapeFault;
 
 impl ShapeFault {
-    /// A fault of the curves `names` at `place`: the finding and its remedy, and the values found and allowed.
-    pub(super) fn new(
+    /// A fault at `place` without curves and without values: the finding and its remedy.
+    pub(crate) fn new(
         code: ShapeCode,
-        names: &[String],
         place: Point,
-        (what, remedy): (impl Into<String>, impl Into<String>),
-        [found, allowed]: [f64; 2],
+        finding: impl Into<String>,
+        remedy: impl Into<String>,
     ) -> Self {
-        let (names, what, remedy) = (names.to_vec(), what.into(), remedy.into());
-        Self { code, names, place, found, allowed, what, remedy }
+        Self {
+            code,
+            names: Vec::new(),
+            place,
+            found: f64::NAN,
+            allowed: f64::NAN,
+            what: finding.into(),
+            remedy: remedy.into(),
+        }
     }
 }
 
 /// "found at (12.000, 40.000): remedy".
 impl fmt::Display for ShapeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, what, remedy, .. } = self;
-        write!(f, "{what} at ({:.3}, {:.3}): {remedy}", place.x, place.y)
+        let Self { place, what: finding, remedy, .. } = self;
+        write!(f, "{finding} at ({:.3}, {:.3}): {remedy}", place.x, place.y)
     }
 }
 
-/// "'a' and 'b'": the names that are not empty, each once.
-pub(super) fn quoted(names: &[String]) -> String {
-    let numbered = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
-    let known: Vec<&String> =
-        numbered.filter(|(i, name)| !names[..*i].contains(name)).map(|(_, name)| name).collect();
-    match known.as_slice() {
-        [] => "a curve".to_owned(),
-        [one] => format!("'{one}'"),
-        [one, two] => format!("'{one}' and '{two}'"),
-        [one, two, rest @ ..] => format!("'{one}', '{two}' and {} more", rest.len()),
+/// Names in a message, "'a' and 'b'": those that are not empty, each once.
+pub(crate) struct Quoted<'a>(pub &'a [String]);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(names) = self;
+        let numbered = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+        let distinct: Vec<&String> =
+            numbered.filter(|(i, name)| !names[..*i].contains(name)).map(|(_, name)| name).collect();
+        match distinct.as_slice() {
+            [] => f.write_str("a curve"),
+            [name] => write!(f, "'{name}'"),
+            [first, second] => write!(f, "'{first}' and '{second}'"),
+            [first, second, rest @ ..] => write!(f, "'{first}', '{second}' and {} more", rest.len()),
+        }
+    }
+}
+
+/// A name in a message: "'a'", or "a curve" where it is empty.
+pub(crate) fn quoted(name: &String) -> Quoted<'_> {
+    Quoted(std::slice::from_ref(name))
+}
+
+/// Curves and ports as the two sides of a place; along a curve there is a `word`, such as "band".
+pub(crate) fn flank_text(curves: &[String], ports: &[String], word: &str) -> String {
+    match (curves, ports) {
+        (curves, []) => format!("the {word}s of {}", Quoted(curves)),
+        ([], [port]) => format!("the channel of port {}", quoted(port)),
+        ([], ports) => format!("the channels of ports {}", Quoted(ports)),
+        (curves, ports) => {
+            format!("the channel of port {} and the {word} of {}", Quoted(ports), Quoted(curves))
+        }
+    }
+}
+
+/// The names of the curves `sources`, of which `names` has all.
+pub(crate) fn named(sources: &[usize], names: &[String]) -> Vec<String> {
+    sources.iter().filter_map(|source| names.get(*source).cloned()).collect()
+}
+
+/// Too many curves lie on or near each other for them to be compared; a place among them.
+pub(crate) struct Crowd(pub Point);
+
+/// Repairs, warnings and faults in the order in which they are found.
+#[derive(Default)]
+pub(crate) struct SealingNotes {
+    pub repairs: Vec<Repair>,
+    pub warnings: Vec<ShapeWarning>,
+    pub faults: Vec<ShapeFault>,
+}
+
+/// The result of a pass, with its notes.
+pub(crate) type Noted<T> = (T, SealingNotes);
+
+impl AddAssign for SealingNotes {
+    /// Adds later notes.
+    fn add_assign(&mut self, notes: Self) {
+        self.repairs.extend(notes.repairs);
+        self.warnings.extend(notes.warnings);
+        self.faults.extend(notes.faults);
+    }
+}
+
+impl SealingNotes {
+    /// The result of a comparison; nothing, with a fault, where too many curves lie near each other.
+    pub(crate) fn unless_crowded<T: Default>(&mut self, comparison: Result<T, Crowd>) -> T {
+        comparison.unwrap_or_else(|Crowd(place)| {
+            let finding = "too many curves lie on or near each other";
+            let remedy = "remove copies and hatches, or put them on an ignored layer";
+            self.faults.push(ShapeFault::new(ShapeCode::Crowded, place, finding, remedy));
+            T::default()
+        })
+    }
+
+    /// Notes that a gap of `gap` mm between the curves `names` was closed.
+    pub(crate) fn gap_closed(&mut self, names: Vec<String>, place: Point, gap: f64) {
+        let gap = if gap < 1e-4 { "less than 0.0001".to_owned() } else { format!("{gap:.4}") };
+        let finding = format!("gap of {gap} mm in {} closed", Quoted(&names));
+        self.repairs.push(Repair { names, place, what: finding });
     }
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::segments::Segments;
-use crate::{Port, Role, SealedShape};
-use geom::{Bounds, BoxIndex, Point, intersections};
+use crate::{Port, Role, SealedShape, Seam};
+use geom::{Bounds, BoxIndex, Path, Point, intersections};
 
 /// Slack of the reach of a band, mm.
 const SLACK: f64 = 1e-6;
@@ -28,28 +28,42 @@ pub(super) struct Joints {
     pub mouths: Vec<MouthEnds>,
 }
 
+/// An end of a seam.
+struct SeamEnd {
+    seam: usize,
+    /// Which end, 0 or 1.
+    side: usize,
+    place: Point,
+}
+
 impl Joints {
     /// The joints of `shape`.
-    pub(super) fn of(shape: &SealedShape) -> Self {
+    pub(super) fn new(shape: &SealedShape) -> Self {
         let reach = shape.band / 2.0 + SLACK;
         let mut joined = vec![[false; 2]; shape.seams.len()];
-        let mut ends: Vec<(usize, usize, Point)> = Vec::new();
-        for (number, seam) in shape.seams.iter().enumerate().filter(|(_, seam)| !seam.center_line.closed) {
-            let both = [seam.center_line.start(), seam.center_line.end()];
-            ends.extend(both.into_iter().enumerate().filter_map(|(which, end)| Some((number, which, end?))));
+        let mut ends: Vec<SeamEnd> = Vec::new();
+        for (seam, Seam { center_line, .. }) in shape.seams.iter().enumerate() {
+            let places =
+                if center_line.closed { [None; 2] } else { [center_line.start(), center_line.end()] };
+            let places = places.into_iter().enumerate();
+            ends.extend(places.filter_map(|(side, place)| Some(SeamEnd { seam, side, place: place? })));
         }
         if ends.len() > 2 || shape.seams.len() > 1 {
-            let segments = Segments::of(shape.seams.iter().map(|seam| &seam.center_line));
-            for (seam, which, end) in &ends {
+            let segments = Segments::new(shape.seams.iter().map(|seam| &seam.center_line));
+            for SeamEnd { seam, side, .. } in &ends {
                 let path = &shape.seams[*seam].center_line;
-                joined[*seam][*which] = segments.has_joint((*seam, path), *end, *which == 0, reach);
+                joined[*seam][*side] = segments.has_joint(*seam, path, *side == 0, reach);
             }
         }
-        let free = ends
-            .into_iter()
-            .filter(|(seam, which, _)| shape.seams[*seam].role == Role::Boundary && !joined[*seam][*which]);
-        let mouths = mouths(shape, &free.collect::<Vec<_>>());
-        Self { joined, mouths }
+        ends.retain(|end| shape.seams[end.seam].role == Role::Boundary && !joined[end.seam][end.side]);
+        Self { joined, mouths: mouths(shape, &ends) }
+    }
+
+    /// Whether an end of the seam number `seam` along `path` that lies on another band is within `reach` mm of `p`.
+    fn are_at(&self, p: Point, seam: usize, path: &Path, reach: f64) -> bool {
+        let ends = [path.start(), path.end()].into_iter().zip(self.joined[seam]);
+        let mut joined_ends = ends.filter(|(_, joined)| *joined).filter_map(|(end, _)| end);
+        joined_ends.any(|end| end.distance(p) <= reach)
     }
 
     /// Whether an end of a seam lies on another band or at a port.
@@ -64,37 +78,51 @@ impl Joints {
     }
 }
 
+/// A pair of free ends beside a port.
+struct EndPair {
+    ends: [usize; 2],
+    /// How far the middle between the ends lies from the port, mm.
+    distance: f64,
+    /// How far the pair is from one as far apart as the bands at the port are, mm.
+    misfit: f64,
+}
+
 /// Pairs of free ends with a port between them, in the middle of two as far apart as its bands are.
-fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds> {
-    let index = BoxIndex::new(free.iter().map(|(_, _, end)| Bounds::of_points([*end])));
-    let middles = free.windows(2).map(|pair| Bounds::of_points([pair[0].2.midpoint(pair[1].2)]));
-    // The two ends of one seam are side by side.
-    let own = BoxIndex::new(middles);
-    let mut used = vec![false; free.len()];
+///
+/// The two ends of one seam are side by side in `free`, and are found by their middle; ends of two seams by their places. Where ports are
+/// near each other, the seam between two of them has its middle near to both: the width of the pair tells.
+fn mouths(shape: &SealedShape, free: &[SeamEnd]) -> Vec<MouthEnds> {
+    let index = BoxIndex::new(free.iter().map(|end| Bounds::of_points([end.place])));
+    let middles = free.windows(2).map(|pair| Bounds::of_points([pair[0].place.midpoint(pair[1].place)]));
+    let middle_index = BoxIndex::new(middles);
+    let mut is_taken = vec![false; free.len()];
     let mut mouths = Vec::new();
-    for (number, Port { at, width }) in shape.ports.iter().enumerate() {
-        let across = width + shape.band;
-        let reach = across.max(LONGEST_OVERRUN);
-        let zone = Bounds::of_points([*at]).grown(reach);
-        let same = own.overlapping(&zone).into_iter().map(|i| (i, i + 1));
-        let same: Vec<_> = same.filter(|(i, j)| free[*i].0 == free[*j].0).collect();
-        let near = index.overlapping(&zone.grown(reach));
-        let pairs = near.iter().flat_map(|i| near.iter().map(move |j| (*i, *j))).filter(|(i, j)| i < j);
-        let far = |(i, j): (usize, usize)| free[i].2.midpoint(free[j].2).distance(*at);
-        // Where ports are near each other, the seam between two of them has its own middle near to both.
-        let off = |(i, j): (usize, usize)| far((i, j)) + (free[i].2.distance(free[j].2) - across).abs();
-        let best = same
-            .into_iter()
-            .chain(pairs)
-            .filter(|(i, j)| !used[*i] && !used[*j] && far((*i, *j)) <= reach)
-            .min_by(|a, b| off(*a).total_cmp(&off(*b)));
-        if let Some((i, j)) = best {
-            (used[i], used[j]) = (true, true);
-            let ends = [free[i], free[j]];
+    for (number, Port { at: port, width }) in shape.ports.iter().enumerate() {
+        let distance_apart = width + shape.band;
+        let reach = distance_apart.max(LONGEST_OVERRUN);
+        let zone = Bounds::of_points([*port]).grown(reach);
+        let neighbours = middle_index.overlapping(&zone).into_iter().map(|i| [i, i + 1]);
+        let of_one_seam = neighbours.filter(|[i, j]| free[*i].seam == free[*j].seam);
+        let near_ends = index.overlapping(&zone.grown(reach));
+        let of_two_seams = near_ends.iter().flat_map(|i| near_ends.iter().map(move |j| [*i, *j]));
+        let pair = |ends: [usize; 2]| {
+            let [a, b] = ends.map(|end| free[end].place);
+            let distance = a.midpoint(b).distance(*port);
+            EndPair { ends, distance, misfit: distance + (a.distance(b) - distance_apart).abs() }
+        };
+        let best = of_one_seam
+            .chain(of_two_seams.filter(|[i, j]| i < j))
+            .filter(|[i, j]| !is_taken[*i] && !is_taken[*j])
+            .map(pair)
+            .filter(|pair| pair.distance <= reach)
+            .min_by(|a, b| a.misfit.total_cmp(&b.misfit));
+        if let Some(EndPair { ends: [i, j], .. }) = best {
+            (is_taken[i], is_taken[j]) = (true, true);
+            let ends = [&free[i], &free[j]];
             mouths.push(MouthEnds {
                 port: number,
-                seams: ends.map(|(seam, which, _)| (seam, which)),
-                ends: ends.map(|(_, _, end)| end),
+                seams: ends.map(|end| (end.seam, end.side)),
+                ends: ends.map(|end| end.place),
             });
         }
     }
@@ -103,30 +131,24 @@ fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds>
 
 /// The crossings of seams, except where one ends on the other: their places by pairs of seams, the same twice for one with itself.
 pub(super) fn meetings(shape: &SealedShape, joints: &Joints) -> BTreeMap<[usize; 2], Vec<Point>> {
-    let segments = Segments::of(shape.seams.iter().map(|seam| &seam.center_line));
+    let segments = Segments::new(shape.seams.iter().map(|seam| &seam.center_line));
     let reach = shape.band / 2.0 + SLACK;
-    let is_joint = |seam: usize, p: Point| {
-        let path = &shape.seams[seam].center_line;
-        let ends = [path.start(), path.end()].into_iter().zip(joints.joined[seam]);
-        let mut joined = ends.filter(|(_, joined)| *joined).filter_map(|(end, _)| end);
-        joined.any(|end| end.distance(p) <= reach)
-    };
-    let mut found: BTreeMap<[usize; 2], Vec<Point>> = BTreeMap::new();
-    for (i, one) in segments.list.iter().enumerate() {
-        let path = &shape.seams[one.path].center_line;
-        for j in segments.index.overlapping(&one.bounds).into_iter().filter(|j| *j > i) {
+    let mut meetings: BTreeMap<[usize; 2], Vec<Point>> = BTreeMap::new();
+    for (i, part) in segments.list.iter().enumerate() {
+        let path = &shape.seams[part.path].center_line;
+        for j in segments.index.overlapping(&part.bounds).into_iter().filter(|j| *j > i) {
             let next = &segments.list[j];
-            let pair = [one.path, next.path];
-            let is_round = path.closed && one.at == 0 && next.at == path.segments.len() - 1;
-            if one.path == next.path && (next.at - one.at < 2 || is_round) {
+            let pair = [part.path, next.path];
+            let is_round = path.closed && part.at == 0 && next.at == path.segments.len() - 1;
+            if part.path == next.path && (next.at - part.at < 2 || is_round) {
                 continue;
             }
-            for p in intersections(&one.segment, &next.segment) {
-                if pair.iter().all(|seam| !is_joint(*seam, p)) {
-                    found.entry(pair).or_default().push(p);
+            for p in intersections(&part.segment, &next.segment) {
+                if pair.iter().all(|seam| !joints.are_at(p, *seam, &shape.seams[*seam].center_line, reach)) {
+                    meetings.entry(pair).or_default().push(p);
                 }
             }
         }
     }
-    found
+    meetings
 }

@@ -9,7 +9,7 @@ pub enum PieceName {
     Numbered {
         /// The kind: "star".
         kind: &'static str,
-        /// Its number, from 1.
+        /// The number of the piece, from 1.
         number: usize,
     },
     /// A name of its own: "disc".
@@ -31,7 +31,7 @@ impl PieceName {
         Self::Numbered { kind, number }
     }
 
-    /// Its number; `None` for a name of its own.
+    /// The number of the piece; `None` for a name of its own.
     pub fn number(&self) -> Option<usize> {
         match self {
             Self::Numbered { number, .. } => Some(*number),

@@ -1,8 +1,8 @@
 //! **Narrow places**: bottlenecks between which the curves stay narrow all along are one place, told where it is narrowest.
 
 use crate::bottleneck::{Bottleneck, GapCurve};
+use crate::graph::DisjointSets;
 use crate::segments::Segments;
-use crate::sets::DisjointSets;
 use geom::{Line, Point, Segment, Vec2, intersections};
 
 /// How much longer than the limit the way across may be, along a normal of one curve, where the place is narrower than the limit:
@@ -25,7 +25,7 @@ struct NarrowContact {
 /// narrower than `limit` mm.
 ///
 /// Two bottlenecks that follow each other on one side of a curve are in one place if the way across is short all along between them.
-pub(super) fn narrow_places(
+pub(crate) fn narrow_places(
     bottlenecks: Vec<Bottleneck>,
     curves: &[GapCurve<'_>],
     limit: f64,
@@ -33,7 +33,7 @@ pub(super) fn narrow_places(
     if bottlenecks.len() < 2 {
         return bottlenecks;
     }
-    let segments = Segments::of(curves.iter().map(|curve| curve.path));
+    let segments = Segments::new(curves.iter().map(|curve| curve.path));
     let mut contacts: Vec<NarrowContact> = bottlenecks
         .iter()
         .enumerate()
@@ -47,15 +47,15 @@ pub(super) fn narrow_places(
         let NarrowContact { curve, .. } = side[0];
         let path = curves[curve].path;
         let round = side.last().zip(side.first()).filter(|_| path.closed && side.len() > 1);
-        let around = round.map(|(last, first)| (last, first, path.length()));
-        for (a, b, more) in side.windows(2).map(|pair| (&pair[0], &pair[1], 0.0)).chain(around) {
+        let closing = round.map(|(last, first)| (last, first, path.length()));
+        for (a, b, more) in side.windows(2).map(|pair| (&pair[0], &pair[1], 0.0)).chain(closing) {
             let is_apart = !places.are_united(a.bottleneck, b.bottleneck);
             if is_apart && is_narrow(&segments, a, b.station + more, limit * SLANT) {
                 places.unite(a.bottleneck, b.bottleneck);
             }
         }
     }
-    let narrowest = places.all().into_iter().enumerate().filter(|(number, least)| number == least);
+    let narrowest = places.least_members().into_iter().enumerate().filter(|(number, least)| number == least);
     narrowest.map(|(number, _)| bottlenecks[number]).collect()
 }
 
@@ -69,18 +69,18 @@ fn contacts(number: usize, bottleneck: &Bottleneck, segments: &Segments) -> [Nar
     })
 }
 
-/// Whether the way across is at most `most` mm long all along a curve, from a contact to the station `end`.
-fn is_narrow(segments: &Segments, from: &NarrowContact, end: f64, most: f64) -> bool {
-    let length = end - from.station;
-    let looks = (length * LOOKS / most).ceil().clamp(1.0, 1e6);
+/// Whether the way across is at most `longest` mm long all along a curve, from a contact to the station `end`.
+fn is_narrow(segments: &Segments, contact: &NarrowContact, end: f64, longest: f64) -> bool {
+    let length = end - contact.station;
+    let looks = (length * LOOKS / longest).ceil().clamp(1.0, 1e6);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count up to a million")]
     let looks = looks as u32;
     (0..looks).all(|look| {
-        let station = from.station + length * (f64::from(look) + 0.5) / f64::from(looks);
-        let (p, along) = segments.place(from.curve, station);
-        let across = if from.is_left { along.perp() } else { -along.perp() };
-        let way = Segment::Line(Line::new(p + across * 1e-6, p + across * most));
-        segments.near(way.bounds()).any(|other| !intersections(&other.segment, &way).is_empty())
+        let station = contact.station + length * (f64::from(look) + 0.5) / f64::from(looks);
+        let (p, along) = segments.place(contact.curve, station);
+        let across = if contact.is_left { along.perp() } else { -along.perp() };
+        let way = Segment::Line(Line::new(p + across * 1e-6, p + across * longest));
+        segments.overlapping(way.bounds()).any(|other| !intersections(&other.segment, &way).is_empty())
     })
 }
 

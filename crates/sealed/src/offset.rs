@@ -1,19 +1,18 @@
 //! Closed paths of lines and arcs, offset exactly.
 //!
 //! Every segment has a **parallel** at the distance. Where a path is tangent, to the rounding of a file, two parallels end in one point;
-//! at a corner that turns away an arc around it joins them; at one that turns in they cross. The offset is what [`OffsetGraph`] finds along
+//! at a corner that turns away an arc around it joins them; at one that turns in they cross. The offset is what `OffsetGraph` finds along
 //! them.
 
 use std::f64::consts::{PI, TAU};
 
-use crate::clean::NOTHING;
 use crate::offset_graph::{ONE, OffsetGraph, moved};
+use crate::pieces::NOTHING;
 use crate::polyline::halves;
-use crate::spine::Spines;
 use geom::{Arc, Line, Path, Point, Segment, SegmentIndex};
 
 /// By how much a point of an offset may be nearer to its path than the distance, mm: joints and nodes are moved by [`ONE`].
-const SLACK: f64 = 3e-5;
+pub(super) const SLACK: f64 = 3e-5;
 /// Turns that differ from half a turn by less are half a turn, rad.
 const FOLDED: f64 = 1e-9;
 
@@ -31,33 +30,11 @@ pub fn offset_right(path: &Path, distance: f64) -> Vec<Path> {
         .cycles()
 }
 
-/// The centre lines of a band along an edge.
-pub(super) struct CenterLines {
-    /// The closed ones.
-    pub loops: Vec<Path>,
-    /// Those along slots and islands that are as wide as the band: it seals them once.
-    pub spines: Vec<Path>,
-}
-
-/// The centre lines of a band `half` mm to the right of the closed `edge`. Fabric that is wider or narrower than the band by at most
-/// `join` is as wide as the band.
-pub(super) fn center_lines(edge: &Path, half: f64, join: f64) -> CenterLines {
-    let edge_index = SegmentIndex::new(edge.segments.clone());
-    let parallels = parallels(edge, half);
-    let is_nearly_free = |p: Point| !edge_index.has_within(p, half - 1.05 * join);
-    let spines = Spines::of(&parallels, half, join, is_nearly_free);
-    let graph =
-        OffsetGraph::new(&parallels, &spines.shared, join, |p| !edge_index.has_within(p, half - SLACK));
-    let mut loops = graph.cycles();
-    if !spines.paths.is_empty() {
-        // At the round end of a slot that is a little wider than the band a crumb is left.
-        loops.retain(|cycle| cycle.area().abs() > join * cycle.length());
-    }
-    CenterLines { loops, spines: spines.paths }
-}
-
 /// The parallels `distance` mm to the right of the segments of a closed path, each that turns away joined to the next by an arc.
-fn parallels(path: &Path, distance: f64) -> Vec<Segment> {
+///
+/// Ends of neighbours that miss each other by rounding are moved to one joint first. A turn by half is the end of a path that leads there
+/// and back, and is joined as one that turns away.
+pub(super) fn parallels(path: &Path, distance: f64) -> Vec<Segment> {
     let halves: Vec<Segment> = path.segments.iter().flat_map(halves).collect();
     let count = halves.len();
     let mut ends: Vec<[Point; 2]> = halves.iter().map(|half| parallel_ends(half, distance)).collect();
@@ -72,27 +49,29 @@ fn parallels(path: &Path, distance: f64) -> Vec<Segment> {
         }
         let (arriving, leaving) = (halves[i].tangent(1.0), halves[next].tangent(0.0));
         let turn = libm::atan2(arriving.cross(leaving), arriving.dot(leaving));
-        // Half a turn is the end of a path that leads there and back.
         if !(FOLDED - PI..=0.0).contains(&turn) {
             let corner = halves[i].end();
             rounds[i] = Some(Arc::new(corner, distance, (end - corner).angle(), turn.rem_euclid(TAU)).into());
         }
     }
-    let parallel = |(half, [start, end]): (&Segment, &[Point; 2])| {
-        let parallel = match half {
-            Segment::Line(_) => Some(Line::new(*start, *end).into()),
-            Segment::Arc(arc) => {
-                let radius = arc.radius + distance * arc.sweep.signum();
-                let shape = Arc { radius, ..*arc }.into();
-                // One that is rounding alone is a point, but leads from its neighbour to the next.
-                let point = (radius.abs() <= ONE).then(|| Line::new(*start, *end).into());
-                if radius > ONE { Some(moved(shape, *start, *end)) } else { point }
-            }
-        };
-        parallel.filter(|parallel| parallel.length() > NOTHING)
-    };
-    let parallels = halves.iter().zip(&ends).map(parallel).zip(rounds);
+    let parallels = halves.iter().zip(&ends).map(|(half, ends)| parallel(half, *ends, distance)).zip(rounds);
     parallels.flat_map(|(parallel, round)| [parallel, round]).flatten().collect()
+}
+
+/// The parallel of `half` between `ends`; none where the arc is sharper than the distance. One that is rounding alone is a point, but leads
+/// from its neighbour to the next.
+fn parallel(half: &Segment, ends: [Point; 2], distance: f64) -> Option<Segment> {
+    let [start, end] = ends;
+    let parallel = match half {
+        Segment::Line(_) => Some(Line::new(start, end).into()),
+        Segment::Arc(arc) => {
+            let radius = arc.radius + distance * arc.sweep.signum();
+            let shape = Arc { radius, ..*arc }.into();
+            let point = (radius.abs() <= ONE).then(|| Line::new(start, end).into());
+            if radius > ONE { Some(moved(shape, start, end)) } else { point }
+        }
+    };
+    parallel.filter(|parallel| parallel.length() > NOTHING)
 }
 
 /// The ends of the parallel `distance` mm to the right of a segment.
@@ -105,25 +84,31 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_2;
 
+    /// A number written with so many decimals.
+    fn decimal(number: f64, decimals: i32) -> f64 {
+        let scale = 10_f64.powi(decimals);
+        (number * scale).round() / scale
+    }
+
     /// A rectangle with round corners, written with numbers of `decimals`: lines and arcs no longer touch.
     fn rounded(turn: f64, decimals: i32) -> Path {
-        let scale = 10_f64.powi(decimals);
-        let at = |x: f64, y: f64| {
-            let (sine, cosine) = turn.sin_cos();
-            let p = Point::new(90.0 + cosine * x - sine * y, 70.0 + sine * x + cosine * y);
-            Point::new((p.x * scale).round() / scale, (p.y * scale).round() / scale)
-        };
+        let (sine, cosine) = turn.sin_cos();
         let (w, h, r) = (10.0, 8.0, 3.0);
-        let corners =
-            [(-w + r, -h), (w - r, -h), (w, -h + r), (w, h - r)].map(|(x, y)| (at(x, y), at(-x, -y)));
-        let corners: Vec<Point> = corners.iter().map(|c| c.0).chain(corners.iter().map(|c| c.1)).collect();
+        let half = [(-w + r, -h), (w - r, -h), (w, -h + r), (w, h - r)];
+        let points = half.into_iter().chain(half.map(|(x, y)| (-x, -y))).map(|(x, y)| {
+            Point::new(
+                decimal(90.0 + cosine * x - sine * y, decimals),
+                decimal(70.0 + sine * x + cosine * y, decimals),
+            )
+        });
+        let corners: Vec<Point> = points.collect();
         let bulge = (FRAC_PI_2 / 4.0).tan();
-        let side = |i: usize| {
+        let sides = (0..8).map(|i| {
             let (a, b) = (corners[i], corners[(i + 1) % 8]);
             let arc = (i % 2 == 1).then(|| Arc::from_bulge(a, b, bulge)).flatten();
             arc.map_or_else(|| Line::new(a, b).into(), Segment::from)
-        };
-        Path::closed((0..8).map(side).collect())
+        });
+        Path::closed(sides.collect())
     }
 
     /// Steiner's formula. Files have six decimals, or nine and a scale: their lines miss the tangents of their arcs by that.
@@ -144,19 +129,21 @@ mod tests {
         }
     }
 
-    /// Around `center`, in arcs of the `turns` of a area turn, with numbers of `decimals`.
+    /// Around `center`, in arcs of the `turns`, parts of a whole turn, with numbers of `decimals`.
     fn circle_of_arcs(center: Point, radius: f64, turns: &[f64], decimals: i32) -> Path {
-        let scale = 10_f64.powi(decimals);
-        let at = |turn: f64| {
-            let p = center + geom::Vec2::unit(0.7 + TAU * turn) * radius;
-            Point::new((p.x * scale).round() / scale, (p.y * scale).round() / scale)
-        };
-        let arc = |(i, turn): (usize, &f64)| {
-            let before: f64 = turns[..i].iter().sum();
-            let end = if i + 1 == turns.len() { 0.0 } else { before + turn };
-            Segment::from(Arc::from_bulge(at(before), at(end), (TAU * turn / 4.0).tan()).expect("an arc"))
-        };
-        Path::closed(turns.iter().enumerate().map(arc).collect())
+        let mut ends = vec![0.0];
+        ends.extend(turns.iter().scan(0.0, |sum, turn| {
+            *sum += turn;
+            Some(*sum)
+        }));
+        ends[turns.len()] = 0.0;
+        let points = ends.iter().map(|turn| center + geom::Vec2::unit(0.7 + TAU * turn) * radius);
+        let points: Vec<Point> =
+            points.map(|p| Point::new(decimal(p.x, decimals), decimal(p.y, decimals))).collect();
+        let arcs = turns.iter().zip(points.windows(2)).map(|(turn, pair)| {
+            Segment::from(Arc::from_bulge(pair[0], pair[1], (TAU * turn / 4.0).tan()).expect("an arc"))
+        });
+        Path::closed(arcs.collect())
     }
 
     #[test]
@@ -173,10 +160,10 @@ mod tests {
                         let [line] = loops.as_slice() else {
                             panic!("{decimals} {i} {by}: {} loops", loops.len())
                         };
-                        let off = line.area() - PI * (radius + by).powi(2);
+                        let error = line.area() - PI * (radius + by).powi(2);
                         assert!(
-                            off.abs() < 40.0 * (radius + by) * 10_f64.powi(-decimals) + 1e-3,
-                            "{decimals} {i} {by}: {off}"
+                            error.abs() < 40.0 * (radius + by) * 10_f64.powi(-decimals) + 1e-3,
+                            "{decimals} {i} {by}: {error}"
                         );
                     }
                 }
@@ -193,72 +180,6 @@ mod tests {
                 let loops = offset_right(&path, -3.0);
                 let [line] = loops.as_slice() else { panic!("{decimals} {i}: {} loops", loops.len()) };
                 assert!((line.area() - 14.0 * 10.0).abs() < 0.5, "{decimals} {i}: {}", line.area());
-            }
-        }
-    }
-
-    /// A slot and an island as wide as the band have a spine, whatever the turn and the end.
-    #[test]
-    fn fabric_as_wide_as_the_band_has_a_spine() {
-        for i in 0..16 {
-            let turned = |points: &[(f64, f64)]| {
-                let (sine, cosine) = libm::sincos(0.4 * f64::from(i));
-                let points: Vec<Point> = points
-                    .iter()
-                    .map(|(x, y)| Point::new(cosine * x - sine * y, sine * x + cosine * y))
-                    .collect();
-                Path::polygon(&points)
-            };
-            for width in [1.99, 1.999_999, 2.0, 2.000_001, 2.01] {
-                let (a, b) = (30.0, 30.0 + width);
-                let slot = [
-                    (0.0, 0.0),
-                    (60.0, 0.0),
-                    (60.0, 40.0),
-                    (b, 40.0),
-                    (b, 15.0),
-                    (a, 15.0),
-                    (a, 40.0),
-                    (0.0, 40.0),
-                ];
-                let lines = center_lines(&turned(&slot), 1.0, 0.02);
-                assert_eq!((lines.loops.len(), lines.spines.len()), (1, 1), "{i} {width}");
-                assert!(
-                    (lines.spines[0].length() - 24.0).abs() < 0.2,
-                    "{i} {width}: {}",
-                    lines.spines[0].length()
-                );
-                let area = 62.0 * 42.0 - 4.0 + PI;
-                assert!(
-                    (lines.loops[0].area() - area).abs() < 0.5,
-                    "{i} {width}: {}",
-                    lines.loops[0].area() - area
-                );
-                let island = turned(&[(a, 10.0), (a, 30.0), (b, 30.0), (b, 10.0)]);
-                let lines = center_lines(&island, 1.0, 0.02);
-                assert_eq!((lines.loops.len(), lines.spines.len()), (0, 1), "{i} {width}");
-                assert!(
-                    (lines.spines[0].length() - 18.0).abs() < 0.1,
-                    "{i} {width}: {}",
-                    lines.spines[0].length()
-                );
-            }
-        }
-    }
-
-    /// A slot as wide as the band whose mouth has a kink, so that the parallels of its sides cross beside their ends.
-    #[test]
-    fn a_kink_at_the_mouth_of_a_slot_leaves_one_loop() {
-        for (aside, along) in [(1e-6, 1e-3), (-1e-6, 1e-3), (1e-4, 0.01), (-1e-4, 0.01), (2e-3, 0.2)] {
-            for width in [1.99, 2.0, 2.005, 2.015] {
-                let (a, b) = (30.0, 30.0 + width);
-                let mouth = [(b + aside, 40.0), (b, 40.0 - along), (b, 15.0), (a, 15.0), (a, 40.0)];
-                let points = [&[(0.0, 0.0), (60.0, 0.0), (60.0, 40.0)][..], &mouth, &[(0.0, 40.0)]].concat();
-                let points: Vec<Point> = points.iter().map(|(x, y)| Point::new(*x, *y)).collect();
-                let lines = center_lines(&Path::polygon(&points), 1.0, 0.02);
-                assert_eq!((lines.loops.len(), lines.spines.len()), (1, 1), "{aside} {along} {width}");
-                let area = 62.0 * 42.0 - 4.0 + PI;
-                assert!((lines.loops[0].area() - area).abs() < 1.0, "{aside} {along} {width}");
             }
         }
     }

@@ -3,14 +3,22 @@
 //! Parallels are cut where they meet. Stretches nearer to the path than the distance are left out, and what remains is walked from **node**
 //! to node.
 
-use crate::clean::{with_end, with_start};
-use crate::merge::merged;
-use crate::sets::DisjointSets;
-use crate::spine::SharedStretch;
-use geom::{Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
+use crate::graph::DisjointSets;
+use crate::pieces::{NOTHING, with_end, with_start};
+use geom::{Arc, Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
 
 /// Points nearer than this are one, mm: a hundredth of the finest `path`. A joint is tangent whose parallels miss each other by less.
 pub(super) const ONE: f64 = 1e-5;
+
+/// A stretch that two parallels share, which run in opposite directions.
+pub(super) struct SharedStretch {
+    /// The numbers of the parallels.
+    pub lines: [usize; 2],
+    /// Where the stretch begins and ends on each, in the direction of the first.
+    pub fractions: [[f64; 2]; 2],
+    /// Where it begins and ends.
+    pub ends: [Point; 2],
+}
 
 /// A stretch of a parallel between two nodes.
 struct OffsetEdge {
@@ -162,8 +170,6 @@ impl OffsetGraph {
         for (number, edge) in self.edges.iter().enumerate().rev() {
             leaving[edge.nodes[0]].push(number);
         }
-        let path = |walk: &[usize]| Path::closed(walk.iter().map(|edge| self.edges[*edge].segment).collect());
-        let is_flat = |cycle: &Path| cycle.area().abs() <= 10.0 * ONE * cycle.length();
         let mut cycles = Vec::new();
         // The number of edges of the present walk before it first came to each node.
         let mut visits: Vec<Option<usize>> = vec![None; self.nodes];
@@ -175,7 +181,7 @@ impl OffsetGraph {
                 let next = walk.last().map_or(start, |last| (last + 1) % self.edges.len());
                 let onward = leaving[node].iter().position(|edge| *edge == next);
                 if node == first_node && !walk.is_empty() && onward.is_none() {
-                    cycles.push(path(&walk));
+                    cycles.push(self.path(&walk));
                     break;
                 }
                 let Some(place) = onward.or_else(|| leaving[node].len().checked_sub(1)) else {
@@ -186,7 +192,7 @@ impl OffsetGraph {
                         visits[self.edges[*edge].nodes[0]] = None;
                     }
                     if first.is_some() {
-                        cycles.push(path(&cycle));
+                        cycles.push(self.path(&cycle));
                         continue;
                     }
                     visits[node] = None;
@@ -198,7 +204,7 @@ impl OffsetGraph {
                 walk.push(number);
                 node = self.edges[number].nodes[1];
                 match visits[node] {
-                    Some(first) if first > 0 && is_flat(&path(&walk[first..])) => walk.truncate(first),
+                    Some(first) if first > 0 && is_flat(&self.path(&walk[first..])) => walk.truncate(first),
                     Some(_) => {}
                     None => visits[node] = Some(walk.len()),
                 }
@@ -209,6 +215,16 @@ impl OffsetGraph {
         }
         cycles.iter().filter(|cycle| !is_flat(cycle)).map(merged).collect()
     }
+
+    /// The closed path along a walk.
+    fn path(&self, walk: &[usize]) -> Path {
+        Path::closed(walk.iter().map(|edge| self.edges[*edge].segment).collect())
+    }
+}
+
+/// Whether a closed path encloses nothing.
+fn is_flat(cycle: &Path) -> bool {
+    cycle.area().abs() <= 10.0 * ONE * cycle.length()
 }
 
 /// A stretch between other ends; a line where it is no longer than they are apart.
@@ -233,5 +249,50 @@ fn clusters(places: &[Point], alike: &[[usize; 2]]) -> Vec<usize> {
             }
         });
     }
-    nodes.all()
+    nodes.least_members()
+}
+
+/// Neighbours that differ by less from one line or circle are one segment, mm: below the largest gap of a seam.
+const ALIKE: f64 = 1e-10;
+
+/// The path with neighbours on one line or one circle as one segment, and without segments of no length.
+pub(crate) fn merged(path: &Path) -> Path {
+    let mut segments: Vec<Segment> = Vec::with_capacity(path.segments.len());
+    for segment in path.segments.iter().filter(|segment| segment.length() > NOTHING) {
+        match segments.last().and_then(|last| joined(last, segment)) {
+            Some(union) => {
+                let _ = segments.pop();
+                segments.push(union);
+            }
+            None => segments.push(*segment),
+        }
+    }
+    if path.closed
+        && segments.len() > 2
+        && let Some(union) = joined(&segments[segments.len() - 1], &segments[0])
+    {
+        let _ = segments.pop();
+        segments[0] = union;
+    }
+    Path { segments, closed: path.closed }
+}
+
+/// Two neighbours as one segment, if they are one to `NOTHING`.
+fn joined(a: &Segment, b: &Segment) -> Option<Segment> {
+    match (a, b) {
+        (Segment::Line(a), Segment::Line(b)) => {
+            let union = Line::new(a.start, b.end);
+            let bend = union.direction().cross(a.end - a.start).abs();
+            let onward = a.direction().dot(b.direction()) > 0.0;
+            (onward && bend < ALIKE).then(|| union.into())
+        }
+        (Segment::Arc(p), Segment::Arc(q)) => {
+            let sweep = p.sweep + q.sweep;
+            let union = Arc { sweep, ..*p };
+            let onward = p.sweep * q.sweep > 0.0 && sweep.abs() < 6.2;
+            let is_same = (p.radius - q.radius).abs() < ALIKE && union.end().distance(q.end()) < ALIKE;
+            (is_same && onward && p.center.distance(q.center) < ALIKE).then(|| union.into())
+        }
+        _ => None,
+    }
 }

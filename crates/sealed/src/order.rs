@@ -2,61 +2,64 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::layout::{Line, LineUse};
+use crate::bands::{Band, BandKind};
 use geom::{Path, Point, Segment};
 
-/// The lines in the order of sealing: inner ones first, the outer edges last, so that the iron seldom passes over finished bands;
-/// among those of a kind the nearest next, open ones from their nearer end.
-pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
-    for line in &mut lines {
-        if line.path.closed {
-            line.path = well_started(&line.path);
+/// The bands in the order of sealing: inner ones first, the outer edges last, so that the iron seldom passes over finished bands;
+/// among those of a kind the nearest next, open ones from their nearer end. Walls go with the welds: both end in other bands or in the air.
+pub(super) fn ordered(mut bands: Vec<Band>) -> Vec<Band> {
+    for band in &mut bands {
+        if band.path.closed {
+            band.path = well_started(&band.path);
         }
     }
-    let mut ordered = Vec::with_capacity(lines.len());
-    let mut at = Point::ORIGIN;
-    for stage in [LineUse::Weld, LineUse::Island, LineUse::Outer] {
-        // Walls go with the welds: both end in other bands or in the air.
-        let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
-        let (own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
-        lines = rest;
-        let mut ends: Vec<Ends> = own.iter().enumerate().map(Ends::of).collect();
-        let mut left: Vec<Option<Line>> = own.into_iter().map(Some).collect();
-        while let Some((next, backwards)) = nearest(&ends, at) {
+    let mut ordered = Vec::with_capacity(bands.len());
+    let mut position = Point::ORIGIN;
+    let stages: [&[BandKind]; 3] =
+        [&[BandKind::Weld, BandKind::Wall], &[BandKind::Island], &[BandKind::Outer]];
+    for kinds in stages {
+        let (stage, rest): (Vec<Band>, Vec<Band>) =
+            bands.into_iter().partition(|band| kinds.contains(&band.kind));
+        bands = rest;
+        let mut ends: Vec<Ends> =
+            stage.iter().enumerate().map(|(number, band)| Ends::new(number, band)).collect();
+        let mut remaining: Vec<Option<Band>> = stage.into_iter().map(Some).collect();
+        while let Some((next, backwards)) = nearest(&ends, position) {
             let Ends { number, .. } = ends.remove(next);
-            let Some(mut line) = left[number].take() else { break };
+            let Some(mut band) = remaining[number].take() else { break };
             if backwards {
-                line.path = line.path.reversed();
-                line.joined.reverse();
+                band.path = band.path.reversed();
+                band.joined.reverse();
             }
-            at = line.path.end().unwrap_or(at);
-            ordered.push(line);
+            position = band.path.end().unwrap_or(position);
+            ordered.push(band);
         }
     }
     ordered
 }
 
-/// The start of a line, and its end if it may be sealed from there.
+/// The start of a band, and its end if it may be sealed from there.
 struct Ends {
     number: usize,
     ends: [Option<Point>; 2],
 }
 
 impl Ends {
-    fn of((number, line): (usize, &Line)) -> Self {
-        let end = if line.path.closed { None } else { line.path.end() };
-        Self { number, ends: [line.path.start(), end] }
+    /// The ends of the band number `number`.
+    fn new(number: usize, band: &Band) -> Self {
+        let end = if band.path.closed { None } else { band.path.end() };
+        Self { number, ends: [band.path.start(), end] }
     }
 }
 
-/// The place in `lines` of the one that begins nearest to `at`, and whether its end does.
-fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
+/// The place in `bands` of the one that begins nearest to `position`, and whether its end does.
+fn nearest(bands: &[Ends], position: Point) -> Option<(usize, bool)> {
     let mut best: Option<(f64, usize, bool)> = None;
-    for (place, line) in lines.iter().enumerate() {
-        for (end, backwards) in line.ends.iter().zip([false, true]) {
-            let far = end.map_or(f64::INFINITY, |end| end.distance(at));
-            if best.is_none_or(|(least, ..)| far < least) {
-                best = Some((far, place, backwards));
+    for (place, band) in bands.iter().enumerate() {
+        for (end, backwards) in band.ends.iter().zip([false, true]) {
+            let distance = end.map_or(f64::INFINITY, |end| end.distance(position));
+            if best.is_none_or(|(least, ..)| distance < least) {
+                best = Some((distance, place, backwards));
             }
         }
     }
@@ -68,50 +71,63 @@ const STRAIGHT: f64 = 1.0;
 
 /// A closed path from the middle of its longest straight segment of some length, or else of its longest segment.
 fn well_started(path: &Path) -> Path {
-    let mut best: Option<(bool, f64, f64)> = None;
-    let mut before = 0.0;
+    let mut best: Option<SeamStart> = None;
+    let mut length_before = 0.0;
     for segment in &path.segments {
         let length = segment.length();
-        let straight = matches!(segment, Segment::Line(_)) && length >= STRAIGHT;
-        let better =
-            best.is_none_or(
-                |(known, least, _)| {
-                    if straight == known { length > least * (1.0 + 1e-9) } else { straight }
-                },
-            );
-        if better {
-            best = Some((straight, length, before + length / 2.0));
+        let is_straight = matches!(segment, Segment::Line(_)) && length >= STRAIGHT;
+        let start = SeamStart { is_straight, length, station: length_before + length / 2.0 };
+        if best.as_ref().is_none_or(|best| start.is_better(best)) {
+            best = Some(start);
         }
-        before += length;
+        length_before += length;
     }
-    best.map_or_else(|| path.clone(), |(_, _, s)| path.starting_at(s))
+    best.map_or_else(|| path.clone(), |best| path.starting_at(best.station))
+}
+
+/// A place where a closed path may start: the middle of a segment.
+struct SeamStart {
+    /// Whether the segment is straight, and of some length.
+    is_straight: bool,
+    /// Length of the segment, mm.
+    length: f64,
+    /// Length of the path before the place, mm.
+    station: f64,
+}
+
+impl SeamStart {
+    /// Whether the segment is straight where the other is not, or longer by more than rounding.
+    fn is_better(&self, other: &Self) -> bool {
+        let is_longer = self.length > other.length * (1.0 + 1e-9);
+        if self.is_straight == other.is_straight { is_longer } else { self.is_straight }
+    }
 }
 
 /// The names of seams: the drawn names where a program can hold them, else the purpose of the seam. No two are alike.
-pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
-    let mut used: BTreeSet<String> = BTreeSet::new();
+pub(super) fn seam_names(bands: &[Band]) -> Vec<String> {
+    let mut unique: BTreeSet<String> = BTreeSet::new();
     let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
-    let mut names = Vec::with_capacity(lines.len());
-    let outers = lines.iter().filter(|line| line.kind == LineUse::Outer).count();
-    for line in lines {
-        let (word, alone) = match line.kind {
-            LineUse::Outer => ("outer", outers == 1),
-            LineUse::Island => ("island", false),
-            LineUse::Wall => ("wall", false),
-            LineUse::Weld => ("weld", false),
+    let mut names = Vec::with_capacity(bands.len());
+    let outer_count = bands.iter().filter(|band| band.kind == BandKind::Outer).count();
+    for band in bands {
+        let (word, is_only) = match band.kind {
+            BandKind::Outer => ("outer", outer_count == 1),
+            BandKind::Island => ("island", false),
+            BandKind::Wall => ("wall", false),
+            BandKind::Weld => ("weld", false),
         };
-        let drawn = match line.names.as_slice() {
-            [name] => safe(name),
+        let drawn_name = match band.names.as_slice() {
+            [name] => program_name(name),
             _ => String::new(),
         };
-        let base = if drawn.is_empty() { word.to_owned() } else { drawn.clone() };
+        let base = if drawn_name.is_empty() { word.to_owned() } else { drawn_name.clone() };
         // Numbers of a word go up, so that no name is tried twice.
         let number = numbers.entry(base.clone()).or_insert(0);
         let name = loop {
             *number += 1;
-            let plain = *number == 1 && (alone || !drawn.is_empty());
-            let name = if plain { base.clone() } else { format!("{base}-{number}") };
-            if used.insert(name.clone()) {
+            let is_plain = *number == 1 && (is_only || !drawn_name.is_empty());
+            let name = if is_plain { base.clone() } else { format!("{base}-{number}") };
+            if unique.insert(name.clone()) {
                 break name;
             }
         };
@@ -121,11 +137,12 @@ pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
 }
 
 /// The name with letters, digits, "-" and "_" only; empty if it has no letter.
-fn safe(name: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    let safe: String = name.chars().take(40).map(|c| if plain(c) { c } else { '-' }).collect();
-    let safe = safe.trim_matches('-').to_owned();
-    if safe.chars().any(|c| c.is_ascii_alphabetic()) { safe } else { String::new() }
+fn program_name(name: &str) -> String {
+    let is_plain = |c: &char| c.is_ascii_alphanumeric() || *c == '_' || *c == '-';
+    let letters = name.chars().take(40).map(|c| Some(c).filter(is_plain).unwrap_or('-'));
+    let word: String = letters.collect();
+    let word = word.trim_matches('-').to_owned();
+    if word.chars().any(|c| c.is_ascii_alphabetic()) { word } else { String::new() }
 }
 
 #[cfg(test)]
@@ -135,29 +152,29 @@ mod tests {
     use super::*;
     use geom::{Arc, Line as Chord};
 
-    fn line(kind: LineUse, name: &str, x: f64, y: f64) -> Line {
+    fn band(kind: BandKind, name: &str, x: f64, y: f64) -> Band {
         let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
         let corners = [p(0.0, 0.0), p(9.0, 0.0), p(9.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
         let segments = corners.windows(2).map(|pair| Chord::new(pair[0], pair[1]).into()).collect();
-        let closed = matches!(kind, LineUse::Outer | LineUse::Island);
+        let closed = matches!(kind, BandKind::Outer | BandKind::Island);
         let path = if closed { Path::closed(segments) } else { Path::open(segments[..1].to_vec()) };
-        Line { path, names: vec![name.to_owned()], kind, joined: [false, true] }
+        Band { path, names: vec![name.to_owned()], kind, joined: [false, true] }
     }
 
     #[test]
     fn inner_seams_come_first_and_the_nearest_next() {
-        let lines = vec![
-            line(LineUse::Outer, "rim", 0.0, 0.0),
-            line(LineUse::Island, "far", 200.0, 0.0),
-            line(LineUse::Island, "near", 60.0, 0.0),
-            line(LineUse::Wall, "wall", 40.0, 0.0),
-            line(LineUse::Weld, "weld", 20.0, 0.0),
+        let bands = vec![
+            band(BandKind::Outer, "rim", 0.0, 0.0),
+            band(BandKind::Island, "far", 200.0, 0.0),
+            band(BandKind::Island, "near", 60.0, 0.0),
+            band(BandKind::Wall, "wall", 40.0, 0.0),
+            band(BandKind::Weld, "weld", 20.0, 0.0),
         ];
-        let ordered = ordered(lines);
+        let ordered = super::ordered(bands);
         assert_eq!(seam_names(&ordered), ["weld", "wall", "near", "far", "rim"]);
         // Closed ones start in the middle of their longest straight segment.
         assert_eq!(ordered[2].path.start(), Some(Point::new(64.5, 0.0)));
-        let backwards = super::ordered(vec![line(LineUse::Weld, "w", -9.0, 0.0)]);
+        let backwards = super::ordered(vec![band(BandKind::Weld, "w", -9.0, 0.0)]);
         assert_eq!(backwards[0].path.start(), Some(Point::new(0.0, 0.0)));
         assert_eq!(backwards[0].joined, [true, false]);
     }
@@ -175,15 +192,15 @@ mod tests {
 
     #[test]
     fn names_can_stand_in_a_program_and_differ() {
-        let named = |kind, name| line(kind, name, 0.0, 0.0);
-        let lines = [
-            named(LineUse::Weld, "a b;c"),
-            named(LineUse::Weld, "a b;c"),
-            named(LineUse::Weld, "12"),
-            named(LineUse::Island, ""),
-            named(LineUse::Outer, "(x"),
-            named(LineUse::Outer, ""),
+        let named = |kind, name| band(kind, name, 0.0, 0.0);
+        let bands = [
+            named(BandKind::Weld, "a b;c"),
+            named(BandKind::Weld, "a b;c"),
+            named(BandKind::Weld, "12"),
+            named(BandKind::Island, ""),
+            named(BandKind::Outer, "(x"),
+            named(BandKind::Outer, ""),
         ];
-        assert_eq!(seam_names(&lines), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
+        assert_eq!(seam_names(&bands), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
     }
 }

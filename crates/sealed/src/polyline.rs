@@ -1,7 +1,6 @@
 //! Closed paths as vertices and bulges, for operations on regions.
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
-
 use geom::{Arc, Line, Path, Point, Segment};
 
 /// A path as vertices and bulges, arcs above half a turn in two.

@@ -1,175 +1,245 @@
-//! Drawn ports: copies are merged, each opens the edge that it lies on, and those that no edge takes are faults.
+//! The third pass, from regions to **mouths**: each port opens the edge that it lies on, and those that no edge takes are faults.
+//!
+//! Ports open the edges of the air first, then closed seams that are drawn as centre lines.
 
-use crate::fault::{Repair, ShapeCode, quoted};
-use crate::mouth::{Mouth, NoChannel, channel, unambiguous};
-use crate::notes::SealingNotes;
-use crate::sketch::{DrawnPort, PortPlace, Rules, Sketch, thousandths_up};
+use crate::fault::{Noted, SealingNotes, ShapeCode, ShapeFault, quoted};
+use crate::mended::MendedEdges;
+use crate::mouth::{ChannelSize, Mouth, NoChannel, channel, unambiguous};
+use crate::regions::Regions;
+use crate::sketch::{DrawnPort, PortPlace, Rules, thousandths_up};
 use geom::{Bounds, Path, Point};
 
-/// The ports, each that was drawn twice at one place once.
-pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> Vec<DrawnPort> {
-    let near = |a: Point, b: Point| a.distance(b) <= join;
-    let alike = |a: &PortPlace, b: &PortPlace| match (a, b) {
-        (PortPlace::At(a), PortPlace::At(b)) => near(*a, *b),
-        (PortPlace::Across([a, b]), PortPlace::Across([c, d])) => {
-            near(*a, *c) && near(*b, *d) || near(*a, *d) && near(*b, *c)
-        }
-        _ => false,
+/// Regions of the air with the channels of ports.
+#[derive(Default)]
+pub(crate) struct OpenedRegions {
+    /// Boundaries with channels, and walls.
+    pub regions: Regions,
+    /// The boundaries without the channels.
+    pub closed: Vec<Path>,
+    pub mouths: Vec<Mouth>,
+    /// The numbers of the ports that edges have taken, with a channel or with a fault.
+    pub taken_ports: Vec<usize>,
+}
+
+/// The regions of `edges` with a channel through an outer boundary for each port. Where seams are drawn, a port that is too far away may
+/// belong to one of them.
+pub(crate) fn opened_regions(
+    mut regions: Regions,
+    edges: &MendedEdges,
+    ports: &[DrawnPort],
+    has_seams: bool,
+    rules: &Rules,
+) -> Noted<OpenedRegions> {
+    let mut notes = SealingNotes::default();
+    let closed = regions.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
+    let outer = regions.boundaries.iter().filter(|boundary| boundary.outer);
+    let outlines = OpenedEdges {
+        edges: outer.map(|boundary| boundary.path.clone()).collect(),
+        mouths: edges.mouths.clone(),
+        taken_ports: edges.mouths.iter().map(|mouth| mouth.port).collect(),
     };
-    let mut kept: Vec<DrawnPort> = Vec::new();
-    for port in ports {
-        let Some(first) = kept.iter().find(|known| alike(&known.place, &port.place)) else {
-            kept.push(port.clone());
-            continue;
-        };
-        let names = vec![first.name.clone(), port.name.clone()];
-        let what = format!("a port drawn twice in {} merged", quoted(&names));
-        notes.repairs.push(Repair { place: port.place.middle(), what, names });
+    let opening = Opening { half_band: 0.0, length: rules.band + rules.allowance, may_wait: has_seams };
+    let (OpenedEdges { edges, mouths, taken_ports }, pass_notes) =
+        open_ports(outlines, ports, &opening, rules);
+    notes += pass_notes;
+    let outer = regions.boundaries.iter_mut().filter(|boundary| boundary.outer);
+    for (boundary, edge) in outer.zip(edges) {
+        boundary.path = edge;
     }
-    kept
+    (OpenedRegions { regions, closed, mouths, taken_ports }, notes)
 }
 
 /// How ports open edges.
-pub(super) struct Opening {
+pub(crate) struct Opening {
     /// Half a band where the edges are its centre lines, 0 where they are those of the air, mm.
-    pub half: f64,
+    pub half_band: f64,
     /// Length of a channel past the edge, mm.
     pub length: f64,
     /// Whether ports that are too far away wait for other edges.
     pub may_wait: bool,
 }
 
+/// Closed outer edges as far as ports have opened them.
+pub(crate) struct OpenedEdges {
+    pub edges: Vec<Path>,
+    pub mouths: Vec<Mouth>,
+    /// The numbers of the ports that edges have taken, with a channel or with a fault.
+    pub taken_ports: Vec<usize>,
+}
+
+/// The edges with channels for those of `ports` that are not taken, each through the edge that is nearest.
+///
+/// Nearness is that to the edges as they are drawn, before other ports open them. A port without a channel is taken, too: its fault is
+/// told once.
+pub(crate) fn open_ports(
+    mut opened: OpenedEdges,
+    ports: &[DrawnPort],
+    opening: &Opening,
+    rules: &Rules,
+) -> Noted<OpenedEdges> {
+    let mut notes = SealingNotes::default();
+    let drawn_edges = opened.edges.clone();
+    let bounds: Vec<Bounds> = drawn_edges.iter().map(Path::bounds).collect();
+    let half_band = opening.half_band;
+    let size = ChannelSize {
+        width: rules.port_width + 2.0 * half_band,
+        length: opening.length,
+        overrun: rules.overrun + 1.0,
+    };
+    for (number, port) in ports.iter().enumerate() {
+        let place = port.place.middle();
+        if opened.taken_ports.contains(&number) {
+            continue;
+        }
+        let Some(nearest) = nearest_path(&drawn_edges, &bounds, place) else { continue };
+        let (path, original) = (&opened.edges[nearest], &drawn_edges[nearest]);
+        let passage = unambiguous(&port.place, &drawn_edges)
+            .and_then(|()| rounded_channel(path, original, number, &port.place, size, rules.join));
+        match passage {
+            Ok((path, mouth)) => {
+                opened.edges[nearest] = path;
+                opened.mouths.push(Mouth { half: mouth.half - half_band, ..mouth });
+            }
+            Err(NoChannel::Far(_)) if opening.may_wait => continue,
+            Err(reason) => {
+                let reason = obstacle(reason, place, &opened.mouths, rules);
+                notes.faults.push(no_channel(reason, port, rules));
+            }
+        }
+        opened.taken_ports.push(number);
+    }
+    (opened, notes)
+}
+
 /// Parts of `join` by which a channel may be narrower than the hose needs: a tube as wide as the hose, to the rounding of the drawing, takes
 /// it.
 const ROUNDED: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 
-/// Channels through the outer `edges` for the ports that are not taken.
-pub(super) fn open_ports(
-    sketch: &Sketch,
-    rules: &Rules,
-    opening: &Opening,
-    mut edges: Vec<&mut Path>,
-    mouths: &mut Vec<Mouth>,
-    taken: &mut Vec<usize>,
-    notes: &mut SealingNotes,
-) {
-    let drawn: Vec<Path> = edges.iter().map(|path| (**path).clone()).collect();
-    let around: Vec<Bounds> = drawn.iter().map(Path::bounds).collect();
-    let Opening { half, length, may_wait } = *opening;
-    let (width, beyond) = (rules.port_width + 2.0 * half, rules.overrun + 1.0);
-    for (number, port) in sketch.ports.iter().enumerate() {
-        let place = port.place.middle();
-        if taken.contains(&number) {
-            continue;
-        }
-        let Some(nearest) = nearest_path(drawn.iter().zip(around.iter().copied()), place) else { continue };
-        let paths = (&*edges[nearest], &drawn[nearest]);
-        let rounded = |why| match why {
-            NoChannel::Narrow { .. } | NoChannel::Deep { .. } => {
-                let mut widths = ROUNDED.iter().map(|part| width - part * rules.join);
-                widths
-                    .find_map(|width| channel(paths, number, &port.place, width, length, beyond).ok())
-                    .ok_or(why)
-            }
-            why => Err(why),
-        };
-        let made = unambiguous(&port.place, &drawn)
-            .and_then(|()| channel(paths, number, &port.place, width, length, beyond).or_else(rounded));
-        match made {
-            Ok((path, mouth)) => {
-                *edges[nearest] = path;
-                mouths.push(Mouth { half: mouth.half - half, ..mouth });
-            }
-            Err(NoChannel::Far(_)) if may_wait => continue,
-            Err(why) => no_channel(&reason(why, place, mouths, rules), &port.name, place, rules, notes),
-        }
-        taken.push(number);
-    }
+/// The channel through `path` for the port number `number`, as wide as it needs or narrower by the rounding of a drawing.
+fn rounded_channel(
+    path: &Path,
+    original: &Path,
+    number: usize,
+    place: &PortPlace,
+    size: ChannelSize,
+    join: f64,
+) -> Result<(Path, Mouth), NoChannel> {
+    let reason = match channel(path, original, number, place, size) {
+        Err(reason @ (NoChannel::Narrow { .. } | NoChannel::Deep { .. })) => reason,
+        result => return result,
+    };
+    let mut widths = ROUNDED.iter().map(|part| size.width - part * join);
+    let narrower =
+        widths.find_map(|width| channel(path, original, number, place, ChannelSize { width, ..size }).ok());
+    narrower.ok_or(reason)
 }
 
-/// The number of the first path that is nearest to `p`; each comes with its box.
-fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, p: Point) -> Option<usize> {
-    let mut best: Option<(f64, usize)> = None;
-    for (number, (path, around)) in paths.enumerate() {
-        if best.is_some_and(|(least, _)| around.distance(p) > least) {
+/// The number of the first path that is nearest to `p`. `bounds` are the boxes around `paths`.
+fn nearest_path(paths: &[Path], bounds: &[Bounds], p: Point) -> Option<usize> {
+    let mut nearest: Option<(f64, usize)> = None;
+    for (number, (path, bounds)) in paths.iter().zip(bounds).enumerate() {
+        if nearest.is_some_and(|(least, _)| bounds.distance(p) > least) {
             continue;
         }
-        let far = path.distance(p);
-        if best.is_none_or(|(least, _)| far < least) {
-            best = Some((far, number));
+        let distance = path.distance(p);
+        if nearest.is_none_or(|(least, _)| distance < least) {
+            nearest = Some((distance, number));
         }
     }
-    best.map(|(_, number)| number)
+    nearest.map(|(_, number)| number)
 }
 
-/// The reason `why` there is no channel at `place`: the channel of `mouths` which takes the room, if one does.
-fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
-    let aside = rules.port_width / 2.0 + 2.0 * rules.band;
-    match why {
+/// The `reason` for which there is no channel at `place`: the channel of `mouths` which takes the room, if one does.
+fn obstacle(reason: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
+    let aside_most = rules.port_width / 2.0 + 2.0 * rules.band;
+    match reason {
         NoChannel::Narrow { .. } | NoChannel::Deep { .. }
-            if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) =>
+            if mouths.iter().any(|mouth| mouth.is_beside(place, aside_most)) =>
         {
             NoChannel::Beside
         }
-        why => why,
+        reason => reason,
     }
 }
 
-/// Notes the fault of a port that has no channel for the reason `why`.
-pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
-    let names = [name.to_owned()];
-    let (port, unknown) = (quoted(&names), [f64::NAN; 2]);
-    let lost = |notes: &mut SealingNotes, what: String, remedy: &str, numbers: [f64; 2]| {
-        notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), numbers);
-    };
-    match why {
-        NoChannel::Far(distance) if distance.is_finite() => {
-            let allowed = rules.farthest_port();
-            let what = format!("port {port} lies {distance:.3} mm from the nearest outer edge");
-            let remedy = format!("put it on an edge, or at most {allowed:.3} mm from it");
-            lost(notes, what, &remedy, [*distance, allowed]);
+/// The faults of ports that no edge took. Of ports with one name the first has the fault.
+pub(crate) fn lost_ports(ports: &[DrawnPort], taken_ports: &[usize], rules: &Rules) -> Vec<ShapeFault> {
+    let mut faults: Vec<ShapeFault> = Vec::new();
+    for (number, port) in ports.iter().enumerate() {
+        let is_known = faults.iter().any(|fault| fault.names == [port.name.as_str()]);
+        if !taken_ports.contains(&number) && !is_known {
+            faults.push(no_channel(NoChannel::Far(f64::INFINITY), port, rules));
         }
+    }
+    faults
+}
+
+/// The fault of a port that has no channel.
+///
+/// What is wrong is the reason, measured where there is something to measure. The remedy names the place or the size that would do.
+fn no_channel(reason: NoChannel, port: &DrawnPort, rules: &Rules) -> ShapeFault {
+    let (place, port_name) = (port.place.middle(), quoted(&port.name));
+    let (code, place, [value, limit], finding, remedy) = match reason {
         NoChannel::Far(distance) => {
-            let what = format!("port {port} is not on the outer edge of a chamber");
-            let remedy = "draw a closed edge of air, or give a layer that role";
-            lost(notes, what, remedy, [*distance, rules.farthest_port()]);
+            let limit = rules.farthest_port();
+            let (finding, remedy) = far_port(port, distance, limit);
+            (ShapeCode::LostPort, place, [distance, limit], finding, remedy)
         }
         NoChannel::Beside => {
-            let what = format!("port {port} lies in the channel of another port, or beside it");
-            lost(notes, what, &format!("{}, or remove it", rules.ports_apart()), unknown);
+            let finding = format!("port {port_name} lies in the channel of another port, or beside it");
+            let remedy = format!("{}, or remove it", rules.ports_apart());
+            (ShapeCode::LostPort, place, [f64::NAN; 2], finding, remedy)
         }
         NoChannel::Along => {
-            let remedy = "draw a short line across the edge, or a point on it";
-            lost(notes, format!("port {port} runs along the edge"), remedy, unknown);
+            let finding = format!("port {port_name} runs along the edge");
+            let remedy = "draw a short line across the edge, or a point on it".to_owned();
+            (ShapeCode::LostPort, place, [f64::NAN; 2], finding, remedy)
         }
         NoChannel::Twice(places) => {
             let list: Vec<String> = places.iter().map(|p| format!("X {:.3} Y {:.3}", p.x, p.y)).collect();
             let (count, list) = (places.len(), list.join(", "));
-            let what = format!("port {port} crosses outer edges {count} times ({list})");
+            let finding = format!("port {port_name} crosses outer edges {count} times ({list})");
             let remedy = "draw a short line for each port, with one end in the air and one outside";
-            lost(notes, what, remedy, unknown);
+            (ShapeCode::LostPort, place, [f64::NAN; 2], finding, remedy.to_owned())
         }
-        NoChannel::Blocked { far, at } => {
-            let what = format!("the channel of port {port} meets the edge {far:.3} mm in front of it");
-            let text = (what, rules.room_in_front());
-            notes.fault(ShapeCode::ChannelOverlap, &names, *at, text, [*far, f64::NAN]);
+        NoChannel::Blocked { distance, place } => {
+            let finding =
+                format!("the channel of port {port_name} meets the edge {distance:.3} mm in front of it");
+            (ShapeCode::ChannelOverlap, place, [distance, f64::NAN], finding, rules.room_in_front())
         }
-        NoChannel::Narrow { width, at } => {
-            let needed = rules.port_width;
-            let what = format!("the edge at port {port} has room for {width:.3} mm only");
-            let remedy =
-                format!("the hose needs {needed:.3} mm: make the edge longer, or take a thinner hose");
-            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*width, needed]);
+        NoChannel::Narrow { width, place } => {
+            let hose = rules.port_width;
+            let finding = format!("the edge at port {port_name} has room for {width:.3} mm only");
+            let remedy = format!("the hose needs {hose:.3} mm: make the edge longer, or take a thinner hose");
+            (ShapeCode::PortTooWide, place, [width, hose], finding, remedy)
         }
-        NoChannel::Deep { depth, most, at } => {
-            let back = thousandths_up(*depth);
-            let what = format!("across the hose at port {port} the edge falls back by {back:.3} mm");
+        NoChannel::Deep { depth, largest, place } => {
+            let back = thousandths_up(depth);
+            let finding = format!("across the hose at port {port_name} the edge falls back by {back:.3} mm");
             let remedy = format!(
-                "it may by at most {most:.3} mm: put the port on a straighter or wider part of the edge, or take a \
+                "it may by at most {largest:.3} mm: put the port on a straighter or wider part of the edge, or take a \
                  thinner hose"
             );
-            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*depth, *most]);
+            (ShapeCode::PortTooWide, place, [depth, largest], finding, remedy)
         }
+    };
+    ShapeFault {
+        names: vec![port.name.clone()],
+        found: value,
+        allowed: limit,
+        ..ShapeFault::new(code, place, finding, remedy)
+    }
+}
+
+/// The finding and the remedy of a port `distance` mm from the nearest outer edge; infinite where there is none.
+fn far_port(port: &DrawnPort, distance: f64, allowed: f64) -> (String, String) {
+    let port_name = quoted(&port.name);
+    if distance.is_finite() {
+        let finding = format!("port {port_name} lies {distance:.3} mm from the nearest outer edge");
+        (finding, format!("put it on an edge, or at most {allowed:.3} mm from it"))
+    } else {
+        let finding = format!("port {port_name} is not on the outer edge of a chamber");
+        (finding, "draw a closed edge of air, or give a layer that role".to_owned())
     }
 }
 
@@ -191,6 +261,7 @@ mod tests {
     };
 
     /// Necks as wide as the hose or wider, whose sides are not quite parallel, with a closed end and an open one.
+    /// Each is drawn once as a polygon and once open at the port.
     #[test]
     fn a_neck_may_flare_by_the_rounding_of_a_drawing() {
         let p = Point::new;
@@ -215,10 +286,10 @@ mod tests {
                     let place = PortPlace::Across([p(-length - 3.0, 0.0), p(0.4 - length, 0.0)]);
                     let ports = vec![DrawnPort { name: "port".to_owned(), place }];
                     let sealing = sealed_shape(&Sketch { air, ports, ..Sketch::default() }, &RULES);
-                    let what = format!("length {length}, flare {flare}, skew {skew}, half {half}");
+                    let case = format!("length {length}, flare {flare}, skew {skew}, half {half}");
                     let width =
-                        sealing.unwrap_or_else(|faults| panic!("{what}: {faults:?}")).shape.ports[0].width;
-                    assert!(width >= RULES.port_width - RULES.join - 1e-9, "{what}: {width}");
+                        sealing.unwrap_or_else(|faults| panic!("{case}: {faults:?}")).shape.ports[0].width;
+                    assert!(width >= RULES.port_width - RULES.join - 1e-9, "{case}: {width}");
                 }
             }
         }

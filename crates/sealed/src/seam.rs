@@ -15,9 +15,9 @@ pub enum Role {
 /// One seam: the centre line of a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seam {
-    /// Its name among the seams of its piece; empty for the only one.
+    /// The name among the seams of the piece; empty for the only one.
     pub name: String,
-    /// Its purpose.
+    /// The purpose.
     pub role: Role,
     /// The band's centre line from where the sealing starts: closed, or open from end to end.
     pub center_line: Path,
@@ -93,7 +93,7 @@ pub struct SealedShape {
     pub band: f64,
     /// The cut around it; `None` for a piece that the user cuts out.
     pub cut: Option<Path>,
-    /// Its ports.
+    /// The ports.
     pub ports: Vec<Port>,
     /// The valves in its upper sheet.
     pub valves: Vec<Valve>,
@@ -110,7 +110,7 @@ impl SealedShape {
         self.seams.iter().map(|seam| seam.center_line.bounds()).fold(Bounds::EMPTY, Bounds::union)
     }
 
-    /// The same shape, moved.
+    /// The shape, moved by `motion`.
     #[must_use]
     pub fn moved(&self, motion: Isometry) -> Self {
         let valve = |valve: &Valve| Valve { hole: motion.path(&valve.hole), rim: motion.path(&valve.rim) };
@@ -128,9 +128,9 @@ impl SealedShape {
 /// A piece on a sheet.
 #[derive(Clone, Debug)]
 pub struct PlacedPiece<'a> {
-    /// Its name.
+    /// The name.
     pub name: PieceName,
-    /// Its seams, cut and ports.
+    /// The seams, the cut and the ports.
     pub shape: &'a SealedShape,
     /// From the shape's frame to the sheet's.
     pub placement: Isometry,
@@ -139,7 +139,7 @@ pub struct PlacedPiece<'a> {
 /// One seam in the sheet's frame, with the iron's way to it and from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaidSeam {
-    /// Its name.
+    /// The name.
     pub name: SeamName,
     /// The way down.
     pub lead_in: Path,
@@ -156,12 +156,13 @@ pub struct LaidSeam {
 impl LaidSeam {
     /// `seam` of `piece`, moved by `placement`, with ways down and up of `ramp` mm.
     pub fn new(piece: &PieceName, seam: &Seam, placement: Isometry, ramp: f64) -> Self {
-        let place = |path: Path| placement.path(&path);
+        let [lead_in, run, lead_out] =
+            [seam.lead_in(ramp), seam.run(), seam.lead_out(ramp)].map(|path| placement.path(&path));
         Self {
             name: SeamName { piece: piece.clone(), seam: seam.name.clone() },
-            lead_in: place(seam.lead_in(ramp)),
-            run: place(seam.run()),
-            lead_out: place(seam.lead_out(ramp)),
+            lead_in,
+            run,
+            lead_out,
             once: seam.center_line.length(),
             overlap: seam.overlap,
         }
@@ -175,11 +176,12 @@ impl LaidSeam {
 
 /// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm.
 pub fn laid_seams(pieces: &[PlacedPiece<'_>], ramp: f64) -> Vec<LaidSeam> {
-    let laid = |piece: &PlacedPiece<'_>| -> Vec<LaidSeam> {
-        let seams = piece.shape.seams.iter();
-        seams.map(|seam| LaidSeam::new(&piece.name, seam, piece.placement, ramp)).collect()
-    };
-    pieces.iter().flat_map(laid).collect()
+    let mut seams = Vec::new();
+    for piece in pieces {
+        let piece_seams = piece.shape.seams.iter();
+        seams.extend(piece_seams.map(|seam| LaidSeam::new(&piece.name, seam, piece.placement, ramp)));
+    }
+    seams
 }
 
 /// The rectangle around the cuts of `pieces` and around all that the iron does to the fabric along `seams`: what a trace shows

@@ -5,12 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::air::depth;
-use crate::faces::{walk_path, walks};
-use crate::join::{Network, NetworkEdge};
-use crate::notes::SealingNotes;
+use crate::graph::{DisjointSets, GraphEdge, walk_path, walks};
+use crate::mended::{MendedCurves, Mending, mended_curves};
+use crate::network::{Network, NetworkEdge};
+use crate::regions::depth;
 use crate::segments::Segments;
-use crate::sets::DisjointSets;
 use crate::sketch::{DrawnCurve, Rules, Sketch};
 use geom::{Enclosures, Line, Path, Point, segment_distance};
 
@@ -30,7 +29,7 @@ struct PieceOutline {
 
 impl PieceOutline {
     fn new(rings: &[Path], curves: &[&Path]) -> Self {
-        Self { rings: Enclosures::new(rings), curves: Segments::of(curves.iter().copied()) }
+        Self { rings: Enclosures::new(rings), curves: Segments::new(curves.iter().copied()) }
     }
 
     /// Distance of `p` from the piece, mm; 0 inside.
@@ -42,30 +41,37 @@ impl PieceOutline {
     }
 }
 
+/// The list of curves of one role in a sketch.
+type CurveList = fn(&mut Sketch) -> &mut Vec<DrawnCurve>;
+
 /// The parts of `sketch`, each figure at the nearest of the `outlines`; none without an outline.
 fn shared_out(sketch: &Sketch, outlines: &[PieceOutline]) -> Vec<Sketch> {
     if outlines.is_empty() {
         return Vec::new();
     }
-    let nearest = |p: Point| {
-        let distances = outlines.iter().map(|outline| outline.distance(p)).enumerate();
-        distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(number, _)| number)
-    };
     let mut pieces = vec![Sketch::default(); outlines.len()];
-    let mut add = |curves: &[DrawnCurve], list: fn(&mut Sketch) -> &mut Vec<DrawnCurve>| {
+    let roles: [(&[DrawnCurve], CurveList); 5] = [
+        (&sketch.air, |piece| &mut piece.air),
+        (&sketch.seams, |piece| &mut piece.seams),
+        (&sketch.cuts, |piece| &mut piece.cuts),
+        (&sketch.holes, |piece| &mut piece.holes),
+        (&sketch.valves, |piece| &mut piece.valves),
+    ];
+    for (curves, list) in roles {
         for curve in curves {
-            list(&mut pieces[nearest(middle(&curve.path))]).push(curve.clone());
+            list(&mut pieces[nearest_outline(outlines, middle(&curve.path))]).push(curve.clone());
         }
-    };
-    add(&sketch.air, |piece| &mut piece.air);
-    add(&sketch.seams, |piece| &mut piece.seams);
-    add(&sketch.cuts, |piece| &mut piece.cuts);
-    add(&sketch.holes, |piece| &mut piece.holes);
-    add(&sketch.valves, |piece| &mut piece.valves);
+    }
     for port in &sketch.ports {
-        pieces[nearest(port.place.middle())].ports.push(port.clone());
+        pieces[nearest_outline(outlines, port.place.middle())].ports.push(port.clone());
     }
     pieces
+}
+
+/// The number of the outline that is nearest to `p`.
+fn nearest_outline(outlines: &[PieceOutline], p: Point) -> usize {
+    let distances = outlines.iter().map(|outline| outline.distance(p)).enumerate();
+    distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(number, _)| number)
 }
 
 /// A point of a path.
@@ -75,11 +81,11 @@ fn middle(path: &Path) -> Point {
 
 /// The parts within the outermost drawn cuts.
 fn by_cuts(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
-    let (_, network, _) = SealingNotes::default().mended(&sketch.cuts, rules.join);
+    let (MendedCurves { network, .. }, _) = mended_curves(&sketch.cuts, Mending::Edges, rules.join);
     let closed = network.edges.iter().filter(|edge| edge.nodes.is_none()).map(|edge| &edge.path);
     let closed: Vec<&Path> = closed.collect();
-    let around = Enclosures::new(closed.iter().copied());
-    let outermost = closed.into_iter().filter(|path| depth(&around, path) == 0);
+    let enclosures = Enclosures::new(closed.iter().copied());
+    let outermost = closed.into_iter().filter(|path| depth(&enclosures, path) == 0);
     let outlines = outermost.map(|path| PieceOutline::new(std::slice::from_ref(path), &[path]));
     shared_out(sketch, &outlines.collect::<Vec<_>>())
 }
@@ -89,27 +95,27 @@ fn by_cuts(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
 /// Curves near each other are one cluster. A cluster inside the rings of another belongs to it. A cluster without a ring is no piece: its
 /// curves go to the nearest.
 fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
-    let drawn: Vec<&DrawnCurve> = sketch.air.iter().chain(&sketch.seams).collect();
-    let mut clusters = clusters(&drawn, 2.0 * rules.band);
-    if clusters.all().iter().all(|least| *least == 0) {
+    let drawn_curves: Vec<&DrawnCurve> = sketch.air.iter().chain(&sketch.seams).collect();
+    let mut clusters = near_curves(&drawn_curves, 2.0 * rules.band);
+    if clusters.least_members().iter().all(|least| *least == 0) {
         return Vec::new();
     }
-    let curves: Vec<DrawnCurve> = drawn.iter().map(|curve| (*curve).clone()).collect();
-    let (_, network, _) = SealingNotes::default().mended(&curves, rules.join);
-    let mut rings = rings(&network);
+    let curves: Vec<DrawnCurve> = drawn_curves.iter().map(|curve| (*curve).clone()).collect();
+    let (MendedCurves { network, .. }, _) = mended_curves(&curves, Mending::Edges, rules.join);
+    let mut rings = outer_rings(&network);
     rings.extend(open_outlines(&network, sketch.air.len()));
-    let around = Enclosures::new(rings.iter().map(|(path, _)| path));
-    for (number, curve) in drawn.iter().enumerate() {
-        for ring in around.around(middle(&curve.path)) {
-            clusters.unite(number, rings[ring].1);
+    let enclosures = Enclosures::new(rings.iter().map(|ring| &ring.path));
+    for (number, curve) in drawn_curves.iter().enumerate() {
+        for ring in enclosures.around(middle(&curve.path)) {
+            clusters.unite(number, rings[ring].source);
         }
     }
-    let cluster_of = clusters.all();
+    let cluster_of = clusters.least_members();
     let mut of_cluster: BTreeMap<usize, (Vec<Path>, Vec<&Path>)> = BTreeMap::new();
-    for (path, source) in rings {
+    for OuterRing { path, source } in rings {
         of_cluster.entry(cluster_of[source]).or_default().0.push(path);
     }
-    for (curve, cluster) in drawn.iter().zip(&cluster_of) {
+    for (curve, cluster) in drawn_curves.iter().zip(&cluster_of) {
         if let Some((_, curves)) = of_cluster.get_mut(cluster) {
             curves.push(&curve.path);
         }
@@ -119,9 +125,9 @@ fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
 }
 
 /// The curves in clusters, by their numbers: those nearer to each other than `reach` mm.
-fn clusters(drawn: &[&DrawnCurve], reach: f64) -> DisjointSets {
-    let segments = Segments::of(drawn.iter().map(|curve| &curve.path));
-    let mut clusters = DisjointSets::new(drawn.len());
+fn near_curves(curves: &[&DrawnCurve], reach: f64) -> DisjointSets {
+    let segments = Segments::new(curves.iter().map(|curve| &curve.path));
+    let mut clusters = DisjointSets::new(curves.len());
     for part in &segments.list {
         segments.index.visit(&part.bounds.grown(reach), |other| {
             let other = &segments.list[other];
@@ -134,39 +140,45 @@ fn clusters(drawn: &[&DrawnCurve], reach: f64) -> DisjointSets {
     clusters
 }
 
-/// The closed curves of a network and the outer edges of its connected parts, each with the number of one of its curves.
-fn rings(network: &Network) -> Vec<(Path, usize)> {
+/// A closed path with the number of one of its curves.
+struct OuterRing {
+    path: Path,
+    source: usize,
+}
+
+/// The closed curves of a network and the outer edges of its connected parts.
+fn outer_rings(network: &Network) -> Vec<OuterRing> {
     let mut rings = Vec::new();
-    let mut meeting: Vec<(&Path, [usize; 2])> = Vec::new();
+    let mut edges: Vec<GraphEdge<'_>> = Vec::new();
     let mut sources = Vec::new();
     for edge in &network.edges {
         match edge.nodes {
-            None => rings.push((edge.path.clone(), edge.sources[0])),
+            None => rings.push(OuterRing { path: edge.path.clone(), source: edge.sources[0] }),
             Some(nodes) => {
-                meeting.push((&edge.path, nodes));
+                edges.push(GraphEdge { path: &edge.path, nodes });
                 sources.push(edge.sources[0]);
             }
         }
     }
-    for walk in walks(&meeting) {
-        let path = walk_path(&meeting, &walk);
+    for walk in walks(&edges) {
+        let path = walk_path(&edges, &walk);
         // Clockwise around a connected part; free ends alone enclose nothing.
         if path.area() < -1e-6 {
-            rings.push((path, sources[walk[0].0]));
+            rings.push(OuterRing { path, source: sources[walk[0].edge] });
         }
     }
     rings
 }
 
 /// The open edges of the air that meet no other, closed by a straight line: a port may lie in their gap. The first `air` curves are air.
-fn open_outlines(network: &Network, air: usize) -> Vec<(Path, usize)> {
-    let free: Vec<usize> = network.free_ends().into_iter().map(|(node, ..)| node).collect();
-    let is_free = |nodes: &[usize; 2]| nodes.iter().all(|node| free.contains(node));
+fn open_outlines(network: &Network, air: usize) -> Vec<OuterRing> {
+    let free: Vec<usize> = network.free_ends().into_iter().map(|end| end.node).collect();
     let outline = |edge: &NetworkEdge| {
         let source = *edge.sources.first().filter(|source| **source < air)?;
-        let _ = edge.nodes.as_ref().filter(|nodes| is_free(nodes))?;
+        let _ = edge.nodes.as_ref().filter(|nodes| nodes.iter().all(|node| free.contains(node)))?;
         let chord = Line::new(edge.path.end()?, edge.path.start()?).into();
-        Some((Path::closed(edge.path.segments.iter().copied().chain([chord]).collect()), source))
+        let segments = edge.path.segments.iter().copied().chain([chord]).collect();
+        Some(OuterRing { path: Path::closed(segments), source })
     };
     network.edges.iter().filter_map(outline).collect()
 }

@@ -3,11 +3,10 @@
 //! It covers the air, and runs as a tongue through each port to the edge of the cut. It spares islands and the bands of seams that lie in
 //! the air. Everything that it does not cover is welded.
 
-use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
-
-use crate::merge::merged;
 use crate::mouth::Mouth;
+use crate::offset_graph::merged;
 use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
+use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
 use geom::{Line, Path, Point, Segment, SegmentIndex, intersections};
 
 /// The air of a sketch: its edges and the seams inside.

@@ -5,7 +5,7 @@ use geom::{Path, Point};
 /// A drawn curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnCurve {
-    /// Its name in the drawing: an element's id. May be empty.
+    /// The name in the drawing: an element's id. May be empty.
     pub name: String,
     /// The curve.
     pub path: Path,
@@ -23,7 +23,7 @@ pub enum PortPlace {
 /// A drawn port: a hose goes in here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnPort {
-    /// Its name in the drawing. May be empty.
+    /// The name in the drawing. May be empty.
     pub name: String,
     /// The place.
     pub place: PortPlace,
@@ -69,12 +69,12 @@ pub struct Rules {
 
 impl Rules {
     /// Largest distance of a port from its edge, mm.
-    pub(super) fn farthest_port(&self) -> f64 {
+    pub(crate) fn farthest_port(&self) -> f64 {
         self.port_width.max(5.0)
     }
 
     /// The remedy for a port with too little fabric in front of it: a channel, its flap and that of the edge opposite need that much.
-    pub(super) fn room_in_front(&self) -> String {
+    pub(crate) fn room_in_front(&self) -> String {
         let room = 3.0 * (self.band + self.allowance) + self.overrun + 1.0;
         format!(
             "put it on an edge that the cut follows, with at least {:.3} mm of fabric in front of it, or draw all cuts, \
@@ -84,14 +84,14 @@ impl Rules {
     }
 
     /// The remedy for ports whose channels meet: their least distance, rounded up.
-    pub(super) fn ports_apart(&self) -> String {
-        let apart = self.port_width + 2.0 * self.band;
-        format!("put ports at least {:.3} mm from each other", thousandths_up(apart))
+    pub(crate) fn ports_apart(&self) -> String {
+        let distance = self.port_width + 2.0 * self.band;
+        format!("put ports at least {:.3} mm from each other", thousandths_up(distance))
     }
 }
 
 /// A least length, mm, to the thousandth that a message prints.
-pub(super) fn thousandths_up(mm: f64) -> f64 {
+pub(crate) fn thousandths_up(mm: f64) -> f64 {
     (1000.0 * mm - 1e-6).ceil() / 1000.0
 }
 

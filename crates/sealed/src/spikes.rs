@@ -1,6 +1,6 @@
 //! **Spikes**: parts of a closed curve that go out and come back along themselves. They enclose no air: the curve is read without them.
 
-use crate::clean::{NOTHING, Piece, with_start};
+use crate::pieces::{NOTHING, Piece, with_start};
 use geom::{Path, Point, Segment, SegmentIndex};
 
 /// Largest cosine of the turn at a tip: both legs lead nearly the same way.
@@ -15,7 +15,7 @@ const MOST_SPIKES: usize = 1_000;
 /// A spike of a curve.
 #[derive(Clone, Debug)]
 pub(super) struct Spike {
-    /// The number of its curve.
+    /// The number of the curve.
     pub source: usize,
     /// The place farthest out.
     pub tip: Point,
@@ -38,71 +38,66 @@ struct Legs {
 /// The pieces without the spikes of their closed paths, and the spikes. A spike whose tip lies on another curve, or elsewhere on its own, is
 /// a wall and stays.
 pub(super) fn without_spikes(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec<Spike>) {
-    let trimmed = |piece: &Piece, walls: &[Point]| {
-        let (path, spikes) = trimmed(piece, walls, join);
-        (Piece { path, ..*piece }, spikes)
-    };
-    let (clean, mut spikes): (Vec<Piece>, Vec<Vec<Spike>>) =
-        pieces.iter().map(|piece| trimmed(piece, &[])).unzip();
+    let (mut smooth, mut spikes): (Vec<Piece>, Vec<Vec<Spike>>) =
+        pieces.iter().map(|piece| trimmed(piece, &[], join)).unzip();
     if spikes.iter().all(Vec::is_empty) {
         return (pieces, Vec::new());
     }
-    let segments = SegmentIndex::new(clean.iter().flat_map(|piece| piece.path.segments.clone()).collect());
-    let mut rest = clean;
+    let segments = SegmentIndex::new(smooth.iter().flat_map(|piece| piece.path.segments.clone()).collect());
     for (number, piece) in pieces.iter().enumerate() {
-        let far = spikes[number].iter().filter(|spike| spike.length > 2.0 * join);
+        let long_spikes = spikes[number].iter().filter(|spike| spike.length > 2.0 * join);
         let walls: Vec<Point> =
-            far.map(|spike| spike.tip).filter(|tip| segments.has_within(*tip, join)).collect();
+            long_spikes.map(|spike| spike.tip).filter(|tip| segments.has_within(*tip, join)).collect();
         if !walls.is_empty() {
-            (rest[number], spikes[number]) = trimmed(piece, &walls);
+            (smooth[number], spikes[number]) = trimmed(piece, &walls, join);
         }
     }
-    (rest, spikes.concat())
+    (smooth, spikes.concat())
 }
 
-/// The path of a piece without its spikes, and the spikes, except for those with a tip in `walls`. An open path whose ends do not meet
+/// A piece without its spikes, and the spikes, except for those with a tip in `walls`. An open path whose ends do not meet
 /// within `join` keeps them: a weld may be drawn there and back.
-fn trimmed(piece: &Piece, walls: &[Point], join: f64) -> (Path, Vec<Spike>) {
-    let mut path = piece.path.clone();
+fn trimmed(piece: &Piece, walls: &[Point], join: f64) -> (Piece, Vec<Spike>) {
+    let Piece { mut path, source } = piece.clone();
     let mut spikes = Vec::new();
     let gap = path.start().zip(path.end()).map_or(f64::INFINITY, |(start, end)| start.distance(end));
     if !path.closed && gap > join {
-        return (path, spikes);
+        return (Piece { path, source }, spikes);
     }
-    let mut before = 0;
-    while before < path.segments.len() && spikes.len() < MOST_SPIKES {
-        let tip = path.segments[before].end();
-        match legs_at(&path, before, join).filter(|_| !walls.contains(&tip)) {
+    let mut number = 0;
+    while number < path.segments.len() && spikes.len() < MOST_SPIKES {
+        let tip = path.segments[number].end();
+        match legs_at(&path, number, join).filter(|_| !walls.contains(&tip)) {
             Some(legs) => {
-                spikes.push(Spike { source: piece.source, tip, length: legs.length });
+                spikes.push(Spike { source, tip, length: legs.length });
                 path.segments = without_legs(&path.segments, &legs);
                 // The legs of another spike, of which this one was a part, may meet now.
-                before = 0;
+                number = 0;
             }
-            None => before += 1,
+            None => number += 1,
         }
     }
-    (path, spikes)
+    (Piece { path, source }, spikes)
 }
 
 /// The legs of the spike whose tip is at the end of segment number `before`, if there is one.
 fn legs_at(path: &Path, before: usize, join: f64) -> Option<Legs> {
     let count = path.segments.len();
-    let mut across = 0.0;
+    let mut tip_length = 0.0;
     // A tip may be blunt: some short segments from leg to leg.
     for tip in 0..count.saturating_sub(2) {
         let after = before + 1 + tip;
-        if after >= count && !path.closed || across > 2.0 * join {
+        if after >= count && !path.closed || tip_length > 2.0 * join {
             return None;
         }
         let segment = &path.segments[after % count];
         if path.segments[before].tangent(1.0).dot(segment.tangent(0.0)) < TURN_BACK
             && path.segments[before].end().distance(segment.start()) <= join
-            && let Some(legs) = legs(path, [before, after % count], tip, join)
+            && let Some(legs) = legs_from(path, [before, after % count], tip, join)
         {
             return Some(legs);
         }
-        across += segment.length();
+        tip_length += segment.length();
     }
     None
 }
@@ -111,22 +106,14 @@ fn legs_at(path: &Path, before: usize, join: f64) -> Option<Legs> {
 ///
 /// The shorter next segment of both legs is compared with the longer one, and both are followed to its end. A spike ends where the
 /// legs part or turn back. Legs that part slowly are a sharp corner.
-fn legs(path: &Path, first: [usize; 2], tip: usize, join: f64) -> Option<Legs> {
+fn legs_from(path: &Path, first: [usize; 2], tip: usize, join: f64) -> Option<Legs> {
     let count = path.segments.len();
-    let leg = |side: usize, number: usize| -> Option<Segment> {
-        if side == 0 {
-            let at = if path.closed {
-                (first[0] + count - number) % count
-            } else {
-                first[0].checked_sub(number)?
-            };
-            Some(path.segments[at].reversed())
-        } else {
-            let at = first[1] + number;
-            (path.closed || at < count).then(|| path.segments[at % count])
-        }
+    let mut legs = Legs {
+        first,
+        whole: [0; 2],
+        onward: [leg_segment(path, first, 0, 0)?, leg_segment(path, first, 1, 0)?],
+        length: 0.0,
     };
-    let mut legs = Legs { first, whole: [0; 2], onward: [leg(0, 0)?, leg(1, 0)?], length: 0.0 };
     let mut width = 0.0_f64;
     // The last segment is not compared with itself.
     while legs.whole[0] + legs.whole[1] + tip + 2 <= count {
@@ -139,16 +126,16 @@ fn legs(path: &Path, first: [usize; 2], tip: usize, join: f64) -> Option<Legs> {
             break;
         }
         (width, legs.length) = (widest, length);
-        let along = long.nearest_fraction(short.end());
+        let foot = long.nearest_fraction(short.end());
         let mut turns_back = false;
-        let ends = [(shorter, 1.0, short), (1 - shorter, along, long)];
+        let ends = [(shorter, 1.0, short), (1 - shorter, foot, long)];
         for (side, fraction, segment) in ends {
             if (1.0 - fraction) * segment.length() > NOTHING {
                 legs.onward[side] = if fraction > 0.0 { segment.part(fraction, 1.0) } else { segment };
                 continue;
             }
             legs.whole[side] += 1;
-            legs.onward[side] = leg(side, legs.whole[side])?;
+            legs.onward[side] = leg_segment(path, first, side, legs.whole[side])?;
             turns_back |= segment.tangent(1.0).dot(legs.onward[side].tangent(0.0)) < TURN_BACK;
         }
         if turns_back {
@@ -158,6 +145,20 @@ fn legs(path: &Path, first: [usize; 2], tip: usize, join: f64) -> Option<Legs> {
     let [a, b] = legs.onward.map(|segment| segment.tangent(0.0));
     let is_spike = legs.length > NOTHING && (width <= HAIR * legs.length || a.dot(b) < PARTING);
     (is_spike && legs.whole[0] + legs.whole[1] + tip < count).then_some(legs)
+}
+
+/// The segment `number` of one of two legs, from the tip on; `first` are the numbers of those at the tip. `None` past the end of an open
+/// path.
+fn leg_segment(path: &Path, first: [usize; 2], side: usize, number: usize) -> Option<Segment> {
+    let count = path.segments.len();
+    if side == 0 {
+        let place =
+            if path.closed { (first[0] + count - number) % count } else { first[0].checked_sub(number)? };
+        Some(path.segments[place].reversed())
+    } else {
+        let place = first[1] + number;
+        (path.closed || place < count).then(|| path.segments[place % count])
+    }
 }
 
 /// The segments of a curve without two legs; the first one stays the first if it is not among them.
@@ -264,18 +265,18 @@ mod tests {
     /// The segments of a spike from `base`, where the curve leads from `before` to `after` with the air on its left.
     fn spike(way: &Way, base: Point, before: Vec2, after: Vec2) -> Vec<Segment> {
         let outwards = -(before + after).perp().normalized();
-        let along = if way.inwards { -outwards } else { outwards };
-        let along = (along + along.perp() * way.lean).normalized();
-        let aside = along.perp() * (way.width * JOIN.min(way.length / 5.0));
-        let tip = base + along * way.length;
+        let way_out = if way.inwards { -outwards } else { outwards };
+        let way_out = (way_out + way_out.perp() * way.lean).normalized();
+        let offset = way_out.perp() * (way.width * JOIN.min(way.length / 5.0));
+        let tip = base + way_out * way.length;
         let mut legs = vec![leg(base, tip, way.bulge)];
         if way.branch {
             let middle = legs[0].point(0.5);
-            let twig = middle - along.perp() * (0.1 * way.length);
+            let twig = middle - way_out.perp() * (0.1 * way.length);
             let halves = [legs[0].part(0.0, 0.5), legs[0].part(0.5, 1.0)];
             legs = vec![halves[0], Line::new(middle, twig).into(), Line::new(twig, middle).into(), halves[1]];
         }
-        let back = if way.blunt { tip + aside } else { tip };
+        let back = if way.blunt { tip + offset } else { tip };
         if way.blunt && way.width > 1e-3 {
             legs.push(Line::new(tip, back).into());
         }
@@ -286,17 +287,17 @@ mod tests {
 
     fn with_spikes(ways: &[Way]) -> Vec<Segment> {
         let mut segments = Vec::new();
-        let outline = outline();
-        for (number, segment) in outline.iter().enumerate() {
+        let sides = outline();
+        for (number, segment) in sides.iter().enumerate() {
             let Some(way) = ways.iter().find(|way| way.segment == number) else {
                 segments.push(*segment);
                 continue;
             };
-            let next = outline[(number + 1) % outline.len()];
+            let next = sides[(number + 1) % sides.len()];
             let t = way.fraction;
             segments.push(segment.part(0.0, t));
-            let after = if t < 1.0 { segment.tangent(t) } else { next.tangent(0.0) };
-            segments.extend(spike(way, segment.point(t), segment.tangent(t), after));
+            let leaving = if t < 1.0 { segment.tangent(t) } else { next.tangent(0.0) };
+            segments.extend(spike(way, segment.point(t), segment.tangent(t), leaving));
             if t < 1.0 {
                 segments.push(segment.part(t, 1.0));
             }
@@ -327,8 +328,8 @@ mod tests {
             prop_assert_eq!(sealing.shape.seams.len(), 1);
             prop_assert!((seam.length() - expected.length()).abs() < 0.5, "{} {}", seam.length(), expected.length());
             for segment in &seam.segments {
-                let far = (0..=4).map(|k| expected.distance(segment.point(f64::from(k) / 4.0))).fold(0.0, f64::max);
-                prop_assert!(far <= JOIN + 1e-6, "{far} {segment:?}");
+                let distance = (0..=4).map(|k| expected.distance(segment.point(f64::from(k) / 4.0))).fold(0.0, f64::max);
+                prop_assert!(distance <= JOIN + 1e-6, "{distance} {segment:?}");
             }
             let notes = sealing.repairs.iter().filter(|repair| repair.what.contains("spike"));
             prop_assert!(notes.count() >= ways.iter().map(|way| way.segment).collect::<std::collections::BTreeSet<_>>().len());

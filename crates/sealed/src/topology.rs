@@ -4,13 +4,12 @@
 //! The curves part the plane into faces. Air reaches those that an odd number of rings lies around: each is a chamber, and the rings right
 //! inside it are its islands. All that keeps the curves from doing so is a leak.
 
-use crate::air::beside;
-use crate::clean::Piece;
-use crate::faces::{walk_path, walks};
-use crate::join::{Network, network};
+use crate::graph::{GraphEdge, walk_path, walks};
 use crate::joints::{Joints, MouthEnds, meetings};
-use crate::leak::Leak;
 use crate::mouth::ON_SIDE;
+use crate::network::{Network, network};
+use crate::pieces::Piece;
+use crate::regions::side_points;
 use crate::{Role, SealedShape};
 use geom::{Enclosures, Line, Path, Point};
 
@@ -21,6 +20,40 @@ const SLACK: f64 = 1e-6;
 /// A port is narrow where the bands leave less of it by more than this, mm: the sides of its channel are offsets, each as far off as
 /// their joints.
 const NARROWER: f64 = 2.0 * ON_SIDE;
+
+/// A way for air other than a port. Seams and ports are counted from 0 in the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Leak {
+    /// A gap between two neighbouring segments of a seam, mm.
+    Gap(usize, f64),
+    /// A seam meets itself at these places.
+    CrossesItself(usize, Vec<Point>),
+    /// Two seams meet at these places.
+    Cross([usize; 2], Vec<Point>),
+    /// A boundary is open: its ends, of which the first lies at no port and on no other band.
+    Open(usize, [Point; 2]),
+    /// No open seam ends at a port: it is sealed.
+    SealedPort(usize),
+    /// The bands leave a port narrower than its hose needs: width, mm.
+    NarrowPort(usize, f64),
+}
+
+impl Leak {
+    /// The place of the leak; `None` if `shape` does not have it.
+    pub fn place(&self, shape: &SealedShape) -> Option<Point> {
+        match self {
+            Self::Gap(seam, gap) => {
+                let path = &shape.seams.get(*seam)?.center_line;
+                let next = path.segments.iter().cycle().skip(1);
+                let mut pairs = path.segments.iter().zip(next);
+                pairs.find(|(a, b)| a.end().distance(b.start()) >= *gap).map(|(a, _)| a.end())
+            }
+            Self::CrossesItself(_, places) | Self::Cross(_, places) => places.first().copied(),
+            Self::Open(_, [end, _]) => Some(*end),
+            Self::SealedPort(port) | Self::NarrowPort(port, _) => shape.ports.get(*port).map(|port| port.at),
+        }
+    }
+}
 
 /// A region that air can reach. Seams, ports and valves are counted from 0 in the shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,17 +80,26 @@ pub struct Topology {
 }
 
 impl SealedShape {
-    /// Its chambers and its leaks.
+    /// The chambers and the leaks of the shape.
     pub fn topology(&self) -> Topology {
-        let joints = Joints::of(self);
-        let meetings = meetings(self, &joints);
+        let joints = Joints::new(self);
+        let leaks = self.leaks(&joints);
+        let mut faces = self.chambers(&joints);
+        faces.sort_by_key(|(chamber, _)| chamber.outside);
+        let (chambers, insides) = faces.into_iter().unzip();
+        Topology { chambers, insides, leaks }
+    }
+
+    /// The leaks, seam by seam, then port by port.
+    fn leaks(&self, joints: &Joints) -> Vec<Leak> {
+        let crossings = meetings(self, joints);
         let mut leaks = Vec::new();
         for (i, seam) in self.seams.iter().enumerate() {
             let path = &seam.center_line;
             if path.largest_gap() > GAP {
                 leaks.push(Leak::Gap(i, path.largest_gap()));
             }
-            leaks.extend(meetings.range([i, 0]..[i + 1, 0]).map(|(&[a, b], places)| {
+            leaks.extend(crossings.range([i, 0]..[i + 1, 0]).map(|(&[a, b], places)| {
                 let places = places.clone();
                 if a == b { Leak::CrossesItself(a, places) } else { Leak::Cross([a, b], places) }
             }));
@@ -78,45 +120,52 @@ impl SealedShape {
                 Some(_) => {}
             }
         }
-        let mut found = self.chambers(&joints);
-        found.sort_by_key(|(chamber, _)| chamber.outside);
-        let (chambers, insides) = found.into_iter().unzip();
-        Topology { chambers, insides, leaks }
+        leaks
     }
 
     /// The width between the bands at port number `port`, mm; `None` if it is sealed.
     pub fn port_width(&self, port: usize) -> Option<f64> {
-        Joints::of(self).width(self, port)
+        Joints::new(self).width(self, port)
     }
 
     /// The chambers, and a point in each.
     fn chambers(&self, joints: &Joints) -> Vec<(Chamber, Point)> {
-        let count = self.seams.len();
-        let mouth =
-            |mouth: &MouthEnds| Piece { path: Path::through(&mouth.ends), source: count + mouth.port };
-        let mut pieces: Vec<Piece> = joints.mouths.iter().map(mouth).collect();
+        let seam_count = self.seams.len();
+        let mouth_piece =
+            |mouth: &MouthEnds| Piece { path: Path::through(&mouth.ends), source: seam_count + mouth.port };
+        let mut pieces: Vec<Piece> = joints.mouths.iter().map(mouth_piece).collect();
         let boundaries = self.seams.iter().enumerate().filter(|(_, seam)| seam.role == Role::Boundary);
         pieces.extend(boundaries.map(|(source, seam)| Piece { path: seam.center_line.clone(), source }));
         let is_ring = |piece: &&Piece| joints.joined.get(piece.source) != Some(&[true; 2]);
         let ring_pieces: Vec<Piece> = pieces.iter().filter(is_ring).cloned().collect();
         // Ends of rings and mouths are the same points.
-        let rings = network(&ring_pieces, SLACK);
-        // An open ring is a leak; its chamber closes where its ends do.
-        let rings: Vec<(Path, Vec<usize>)> = rings
-            .edges
-            .into_iter()
-            .map(|edge| {
-                let mut segments = edge.path.segments;
-                if let (Some(_), Some(first), Some(last)) = (edge.nodes, segments.first(), segments.last()) {
-                    segments.push(Line::new(last.end(), first.start()).into());
-                }
-                (Path::closed(segments), edge.sources)
-            })
-            .collect();
-        let faces = faces(&network(&pieces, self.band / 2.0 + SLACK));
+        let plane = AirPlane::new(
+            rings(network(&ring_pieces, SLACK)),
+            bounded_faces(&network(&pieces, self.band / 2.0 + SLACK)),
+            seam_count,
+        );
         let valves: Vec<Point> = self.valves.iter().filter_map(|valve| valve.hole.start()).collect();
-        chambers(&rings, &faces, count, &valves)
+        plane.chambers(&valves)
     }
+}
+
+/// A closed boundary: its path, and the numbers of the curves that it is made of.
+struct BoundaryRing {
+    path: Path,
+    sources: Vec<usize>,
+}
+
+/// The edges of a network as rings. An open ring is a leak; its chamber closes where its ends do.
+fn rings(network: Network) -> Vec<BoundaryRing> {
+    let mut rings = Vec::with_capacity(network.edges.len());
+    for edge in network.edges {
+        let mut segments = edge.path.segments;
+        if let (Some(_), Some(first), Some(last)) = (edge.nodes, segments.first(), segments.last()) {
+            segments.push(Line::new(last.end(), first.start()).into());
+        }
+        rings.push(BoundaryRing { path: Path::closed(segments), sources: edge.sources });
+    }
+    rings
 }
 
 /// A face: its edge, the numbers of the curves along it, and a point in it.
@@ -127,73 +176,101 @@ struct Face {
 }
 
 /// The bounded faces of a network.
-fn faces(network: &Network) -> Vec<Face> {
+fn bounded_faces(network: &Network) -> Vec<Face> {
     let mut faces = Vec::new();
-    let mut meeting: Vec<(&Path, [usize; 2])> = Vec::new();
-    let mut sources: Vec<&[usize]> = Vec::new();
+    let mut edges: Vec<GraphEdge<'_>> = Vec::new();
+    let mut edge_sources: Vec<&[usize]> = Vec::new();
     for edge in &network.edges {
         if let Some(nodes) = edge.nodes {
-            meeting.push((&edge.path, nodes));
-            sources.push(&edge.sources);
+            edges.push(GraphEdge { path: &edge.path, nodes });
+            edge_sources.push(&edge.sources);
         } else {
-            let (_, [left, right]) = beside(&edge.path, 1e-6);
-            let inside = if edge.path.area() > 0.0 { left } else { right };
-            faces.push(Face { path: edge.path.clone(), sources: edge.sources.clone(), inside });
+            let (_, [left, right]) = side_points(&edge.path, 1e-6);
+            let face_point = if edge.path.area() > 0.0 { left } else { right };
+            faces.push(Face { path: edge.path.clone(), sources: edge.sources.clone(), inside: face_point });
         }
     }
-    for walk in walks(&meeting) {
-        let path = walk_path(&meeting, &walk);
+    for walk in walks(&edges) {
+        let path = walk_path(&edges, &walk);
         if path.area() <= 1e-9 {
             continue;
         }
-        let (_, [inside, _]) = beside(&path, 1e-6);
-        let mut own: Vec<usize> = walk.iter().flat_map(|(number, _)| sources[*number].to_vec()).collect();
-        own.sort_unstable();
-        own.dedup();
-        faces.push(Face { path, sources: own, inside });
+        let (_, [face_point, _]) = side_points(&path, 1e-6);
+        let mut sources: Vec<usize> =
+            walk.iter().flat_map(|travel| edge_sources[travel.edge].to_vec()).collect();
+        sources.sort_unstable();
+        sources.dedup();
+        faces.push(Face { path, sources, inside: face_point });
     }
     faces
 }
 
-/// The faces with air, their rings counted among the first `count` curves, ports after them. `valves` are places in the holes of valves.
-fn chambers(
-    rings: &[(Path, Vec<usize>)],
-    faces: &[Face],
-    count: usize,
-    valves: &[Point],
-) -> Vec<(Chamber, Point)> {
-    let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
-    let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
-    let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
-    let innermost =
-        |p: Point| face_around.around(p).into_iter().min_by(|a, b| areas[*a].total_cmp(&areas[*b]));
-    let first = |ring: usize| rings[ring].1.iter().copied().find(|source| *source < count);
-    // The rings around each ring, and the face that it lies in.
-    let mut depth = Vec::with_capacity(rings.len());
-    let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
-    for (number, (path, _)) in rings.iter().enumerate() {
-        let (_, [left, right]) = beside(path, 1e-6);
-        let outside = if path.area() > 0.0 { right } else { left };
-        depth.push(ring_around.around(outside).len());
-        if let Some(face) = innermost(outside) {
-            within[face].push(number);
-        }
+/// The plane, parted by rings into air and fabric, and by all curves into faces.
+struct AirPlane {
+    rings: Vec<BoundaryRing>,
+    faces: Vec<Face>,
+    ring_enclosures: Enclosures,
+    face_enclosures: Enclosures,
+    /// Areas of the faces, mm^2.
+    areas: Vec<f64>,
+    /// Number of seams: the curves after them are ports.
+    seam_count: usize,
+}
+
+impl AirPlane {
+    fn new(rings: Vec<BoundaryRing>, faces: Vec<Face>, seam_count: usize) -> Self {
+        let ring_enclosures = Enclosures::new(rings.iter().map(|ring| &ring.path));
+        let face_enclosures = Enclosures::new(faces.iter().map(|face| &face.path));
+        let areas = faces.iter().map(|face| face.path.area().abs()).collect();
+        Self { rings, faces, ring_enclosures, face_enclosures, areas, seam_count }
     }
-    let faces_of_valves: Vec<Option<usize>> = valves.iter().map(|valve| innermost(*valve)).collect();
-    let chamber = |(number, face): (usize, &Face)| {
-        let around = ring_around.around(face.inside);
-        if around.len().is_multiple_of(2) {
-            return None;
+
+    /// The smallest face around `p`.
+    fn innermost_face(&self, p: Point) -> Option<usize> {
+        let faces = self.face_enclosures.around(p).into_iter();
+        faces.min_by(|a, b| self.areas[*a].total_cmp(&self.areas[*b]))
+    }
+
+    /// The first seam of a ring.
+    fn first_seam(&self, ring: usize) -> Option<usize> {
+        self.rings[ring].sources.iter().copied().find(|source| *source < self.seam_count)
+    }
+
+    /// The faces with air, each with a point in it. `valves` are places in the holes of valves.
+    ///
+    /// Air lies in a face where an odd number of rings lies around. The deepest of them is the outside of the chamber, and rings that lie in
+    /// the face are islands.
+    fn chambers(&self, valves: &[Point]) -> Vec<(Chamber, Point)> {
+        let mut depth = Vec::with_capacity(self.rings.len());
+        let mut rings_within: Vec<Vec<usize>> = vec![Vec::new(); self.faces.len()];
+        for (number, BoundaryRing { path, .. }) in self.rings.iter().enumerate() {
+            let (_, [left, right]) = side_points(path, 1e-6);
+            let outside = if path.area() > 0.0 { right } else { left };
+            depth.push(self.ring_enclosures.around(outside).len());
+            if let Some(face) = self.innermost_face(outside) {
+                rings_within[face].push(number);
+            }
         }
-        let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
-        let mut islands: Vec<usize> = within[number].iter().filter_map(|ring| first(*ring)).collect();
-        islands.sort_unstable();
-        let ports =
-            face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
-        let valves = (0..valves.len()).filter(|valve| faces_of_valves[*valve] == Some(number)).collect();
-        Some((Chamber { outside, islands, ports, valves }, face.inside))
-    };
-    faces.iter().enumerate().filter_map(chamber).collect()
+        let valve_faces: Vec<Option<usize>> =
+            valves.iter().map(|valve| self.innermost_face(*valve)).collect();
+        let mut chambers = Vec::new();
+        for (number, face) in self.faces.iter().enumerate() {
+            let rings = self.ring_enclosures.around(face.inside);
+            let deepest = rings.iter().copied().max_by_key(|ring| depth[*ring]);
+            let Some(outside) = deepest.and_then(|ring| self.first_seam(ring)) else { continue };
+            if rings.len().is_multiple_of(2) {
+                continue;
+            }
+            let mut islands: Vec<usize> =
+                rings_within[number].iter().filter_map(|ring| self.first_seam(*ring)).collect();
+            islands.sort_unstable();
+            let ports =
+                face.sources.iter().filter_map(|source| source.checked_sub(self.seam_count)).collect();
+            let valves = (0..valves.len()).filter(|valve| valve_faces[*valve] == Some(number)).collect();
+            chambers.push((Chamber { outside, islands, ports, valves }, face.inside));
+        }
+        chambers
+    }
 }
 
 #[cfg(test)]
@@ -234,15 +311,15 @@ mod tests {
     fn nested_curves_are_chambers_with_islands() {
         // A ring with a port and an island; in the island a chamber of its own; beside them one more.
         let lines = vec![opened(0.0, 50.0, 10.0), circle(0.0, 30.0), circle(0.0, 20.0), circle(200.0, 9.0)];
-        let found = shape(lines, vec![port(50.0, 6.0)]).topology();
-        assert_eq!(found.leaks, []);
+        let topology = shape(lines, vec![port(50.0, 6.0)]).topology();
+        assert_eq!(topology.leaks, []);
         let chamber = |outside, islands: &[usize], ports: &[usize]| Chamber {
             outside,
             islands: islands.to_vec(),
             ports: ports.to_vec(),
             valves: Vec::new(),
         };
-        assert_eq!(found.chambers, [chamber(0, &[1], &[0]), chamber(2, &[], &[]), chamber(3, &[], &[])]);
+        assert_eq!(topology.chambers, [chamber(0, &[1], &[0]), chamber(2, &[], &[]), chamber(3, &[], &[])]);
     }
 
     #[test]
@@ -271,25 +348,28 @@ mod tests {
         Path::open(vec![Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()])
     }
 
+    fn topology_with(rim: &[Path], walls: &[Path]) -> Topology {
+        shape([rim, walls].concat(), vec![]).topology()
+    }
+
     /// Walls end on other bands, half a band off their centre lines too; welds end in the air.
     #[test]
     fn walls_part_chambers_and_welds_do_not() {
-        let rim = || vec![circle(0.0, 50.0), circle(0.0, 10.0)];
-        let with = |walls: &[Path]| shape([rim(), walls.to_vec()].concat(), vec![]).topology();
+        let rim = [circle(0.0, 50.0), circle(0.0, 10.0)];
         let left = straight((-49.2, 0.0), (-10.0, 0.0));
         let right = straight((10.5, 0.0), (50.0, 0.0));
-        let one = with(std::slice::from_ref(&left));
-        assert_eq!((one.leaks.len(), one.chambers.len()), (0, 1));
-        assert_eq!(one.chambers[0].islands, [1]);
-        let two = with(&[left, right]);
+        let single = topology_with(&rim, std::slice::from_ref(&left));
+        assert_eq!((single.leaks.len(), single.chambers.len()), (0, 1));
+        assert_eq!(single.chambers[0].islands, [1]);
+        let two = topology_with(&rim, &[left, right]);
         assert_eq!((two.leaks.len(), two.chambers.len()), (0, 2));
         assert!(two.insides[0].y * two.insides[1].y < 0.0, "{:?}", two.insides);
-        let loose = with(&[straight((-50.0, 0.0), (-20.0, 0.0))]);
+        let loose = topology_with(&rim, &[straight((-50.0, 0.0), (-20.0, 0.0))]);
         assert!(
             matches!(loose.leaks[..], [Leak::Open(2, [end, _])] if end == Point::new(-20.0, 0.0)),
             "{loose:?}"
         );
-        let mut weld = shape([rim(), vec![straight((-50.0, 0.0), (-20.0, 0.0))]].concat(), vec![]);
+        let mut weld = shape([&rim[..], &[straight((-50.0, 0.0), (-20.0, 0.0))]].concat(), vec![]);
         weld.seams[2].role = Role::Weld;
         assert_eq!((weld.topology().leaks.len(), weld.topology().chambers.len()), (0, 1));
     }
@@ -301,11 +381,11 @@ mod tests {
             let gap = (5.0_f64 / 50.0).asin();
             Path::open(vec![Arc::new(Point::ORIGIN, 50.0, from + gap, TAU / 2.0 - 2.0 * gap).into()])
         };
-        let both = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0), port(-50.0, 6.0)]);
-        let found = both.topology();
-        assert_eq!(found.leaks, []);
+        let two_ports = vec![port(50.0, 6.0), port(-50.0, 6.0)];
+        let topology = shape(vec![half(0.0), half(TAU / 2.0)], two_ports).topology();
+        assert_eq!(topology.leaks, []);
         assert_eq!(
-            found.chambers,
+            topology.chambers,
             [Chamber { outside: 0, islands: vec![], ports: vec![0, 1], valves: vec![] }]
         );
         let open = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0)]).topology();
