@@ -61,8 +61,9 @@ impl Args {
 /// A percentage of the job, or a sum of durations such as "1 h 20 min".
 fn elapsed(text: &str) -> Result<ResumeAt, String> {
     let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..=1.0).contains(share));
-    let time = || seconds(text).filter(|time| (0.0..1e9).contains(time)).map(ResumeAt::Time);
-    let place = share.map(ResumeAt::Share).or_else(time);
+    let place = share
+        .map(ResumeAt::Share)
+        .or_else(|| seconds(text).filter(|time| (0.0..1e9).contains(time)).map(ResumeAt::Time));
     place.ok_or_else(|| {
         "a percentage from 0 to 100, such as 37%, or a time, such as \"1 h 20 min\"".to_owned()
     })

@@ -286,21 +286,21 @@ impl LargeMask {
 /// The masks that are too large, as one refusal.
 pub(super) fn divide_masks(parts: &mut [StarDesign], bed: Bed) -> Result<(), Refusal> {
     let mut order: Vec<usize> = (0..parts.len()).collect();
-    let size = |part: &StarDesign| part.mask.plate.bounds().width();
-    order.sort_by(|a, b| size(&parts[*b]).total_cmp(&size(&parts[*a])));
-    let mut enough = bed;
+    let widths: Vec<f64> = parts.iter().map(|part| part.mask.plate.bounds().width()).collect();
+    order.sort_by(|a, b| widths[*b].total_cmp(&widths[*a]));
+    let mut roomy_bed = bed;
     let mut largest: Option<LargeMask> = None;
     for number in order {
         let part = &mut parts[number];
-        match MaskTiles::new(&part.star, &part.outline, &part.mask, enough) {
+        match MaskTiles::new(&part.star, &part.outline, &part.mask, roomy_bed) {
             Ok(tiles) => part.tiles = tiles,
             Err(large) => {
-                enough = large.bed;
+                roomy_bed = large.bed;
                 let _ = largest.get_or_insert(large);
             }
         }
     }
-    largest.map_or(Ok(()), |large| Err(large.refusal(parts.len(), enough)))
+    largest.map_or(Ok(()), |large| Err(large.refusal(parts.len(), roomy_bed)))
 }
 
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
