@@ -87,8 +87,8 @@ impl DrawnPieces {
 /// The refusals of all pieces without those of chambers that have no port, where as many ports were refused: those are meant for them.
 fn without_missing_ports(refusals: Refusals) -> Refusals {
     use RefusalCode::{ChamberWithoutPort, PortOffEdge, PortTooWide};
-    let count =
-        |codes: &[RefusalCode]| refusals.iter().filter(|refusal| codes.contains(&refusal.code)).count();
-    let is_meant = count(&[ChamberWithoutPort]) <= count(&[PortOffEdge, PortTooWide]);
-    refusals.into_iter().filter(|refusal| !(is_meant && refusal.code == ChamberWithoutPort)).collect()
+    let missing = refusals.iter().filter(|refusal| refusal.code == ChamberWithoutPort).count();
+    let refused = refusals.iter().filter(|refusal| matches!(refusal.code, PortOffEdge | PortTooWide)).count();
+    let are_meant = missing <= refused;
+    refusals.into_iter().filter(|refusal| !(are_meant && refusal.code == ChamberWithoutPort)).collect()
 }
