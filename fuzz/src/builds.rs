@@ -12,7 +12,7 @@ use stargrip_cam::verify::OutputFiles;
 pub(super) type Directory = Vec<(String, Vec<u8>)>;
 
 /// Every profile that comes with the program, one for each dialect.
-pub(super) const PROFILES: [&str; Dialect::NAMES.len()] = Dialect::WORDS;
+pub(super) const PROFILES: [&str; Dialect::ALL.len()] = Dialect::WORDS;
 
 /// A gripper that is built in a moment, and that every machine can seal.
 pub(super) const SMALL: &str = "schema = 1\nname = \"small\"\n[star]\npoints = 3\ninner_radius = \"12 mm\"\n\

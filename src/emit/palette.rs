@@ -23,15 +23,24 @@ const MAGENTA: LayerColour = LayerColour { svg: "#ff00ff", dxf: "6" };
 /// The colour of `layer`.
 pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
     match (layer, colours) {
-        (Layer::Seal | Layer::SealInner, _)
+        (Layer::Seal | Layer::SealInner, Colours::One | Colours::Ordered)
         | (Layer::Label | Layer::PaperMark, Colours::One)
         | (Layer::Registration | Layer::PostHole, Colours::Ordered) => BLUE,
-        (Layer::SealOuter | Layer::MaskJoint, _) => GREEN,
+        (Layer::SealOuter | Layer::MaskJoint, Colours::One | Colours::Ordered) => GREEN,
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => CYAN,
         (Layer::CutHole | Layer::CutValve | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => {
             MAGENTA
         }
-        _ => RED,
+        (Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge, Colours::One | Colours::Ordered)
+        | (
+            Layer::CutHole
+            | Layer::CutValve
+            | Layer::MaskWindow
+            | Layer::FrameOpening
+            | Layer::Registration
+            | Layer::PostHole,
+            Colours::One,
+        ) => RED,
     }
 }
 

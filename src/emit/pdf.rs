@@ -67,7 +67,7 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
                 .clip_nonzero()
                 .end_path();
         }
-        let (width, gray) = pen(*layer);
+        let Pen { width, gray } = pen(*layer);
         let name = Name(layer.name().as_bytes());
         let _ = content.begin_marked_content(name).set_line_width(width).set_stroke_gray(gray);
         for shape in shapes {
@@ -80,12 +80,29 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
     content.finish().to_vec()
 }
 
-/// Width, mm, and grey of the strokes of a layer: cut lines are black and thin.
-fn pen(layer: Layer) -> (f32, f32) {
+/// The strokes of a layer on paper.
+struct Pen {
+    /// mm
+    width: f32,
+    /// From 0, black, to 1, white.
+    gray: f32,
+}
+
+/// The pen of `layer`: cut lines are black and thin, seams and text are grey and wide.
+fn pen(layer: Layer) -> Pen {
     match layer {
-        Layer::PaperMark => (0.15, 0.0),
-        Layer::Label => (0.25, 0.5),
-        _ => (0.1, 0.0),
+        Layer::PaperMark => Pen { width: 0.15, gray: 0.0 },
+        Layer::Label | Layer::Seal | Layer::SealInner | Layer::SealOuter => Pen { width: 0.25, gray: 0.5 },
+        Layer::CutOutside
+        | Layer::CutHole
+        | Layer::CutValve
+        | Layer::Registration
+        | Layer::MaskWindow
+        | Layer::MaskPlate
+        | Layer::MaskJoint
+        | Layer::PostHole
+        | Layer::FrameOpening
+        | Layer::FrameEdge => Pen { width: 0.1, gray: 0.0 },
     }
 }
 

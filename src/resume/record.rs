@@ -132,9 +132,13 @@ impl Header {
         if fits { Ok(tick) } else { Err(ResumeFault::NotOurs("chop-ticks")) }
     }
 
-    fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
+    fn dialect(&self) -> Result<Dialect, ResumeFault> {
         let name = self.word("machine", "dialect").unwrap_or_default();
-        let dialect = Dialect::NAMES.iter().find(|(known, _)| *known == name).map(|(_, dialect)| *dialect);
+        let dialect = Dialect::ALL.iter().find(|(word, _)| *word == name);
+        dialect.map(|(_, dialect)| *dialect).ok_or(ResumeFault::NotOurs("machine"))
+    }
+
+    fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
         let heating = match self.word("machine", "heating") {
             Some("hotend") => Heating::Hotend,
             _ => Heating::Operator,
@@ -151,7 +155,7 @@ impl Header {
         )]
         let line_length = self.number("machine", "line")?.clamp(40.0, 255.0) as usize;
         Ok(Controller {
-            dialect: dialect.ok_or(ResumeFault::NotOurs("machine"))?,
+            dialect: self.dialect()?,
             line_length,
             comments,
             arcs: self.word("machine", "arcs") == Some("yes"),
@@ -199,7 +203,7 @@ impl Header {
             motion.steps_per_mm = Some([steps("x")?, steps("y")?, steps("z")?]);
             motion.step_rate = StepRate::AtLeast(self.within("chop-ticks", "rate_Hz")?);
             motion.tick = Some(Duration(self.tick()?));
-            motion.wraps = self.word("machine", "dialect") == Some("fluidnc");
+            motion.wraps = self.dialect()?.timer_wraps();
             // Older programs do not contain them.
             let first = self.number("chop-moves", "first_Hz").ok();
             motion.first_step_rate = first.filter(|rate| (1e-3..=1e5).contains(rate));

@@ -142,7 +142,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
         overdue: 0.0,
     };
     let text = emit::gcode(&spec, &machine, &program);
-    let program = read_program(&text, Dialect::LINUXCNC);
+    let program = read_program(&text, Dialect::new(spec::Dialect::LinuxCnc));
     assert_eq!(program.findings, []);
     for (step, next) in program.moves.iter().zip(program.moves.iter().skip(1)) {
         assert_eq!(step.to, next.from);

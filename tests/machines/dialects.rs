@@ -78,14 +78,13 @@ fn a_reversed_arc_is_found_at_its_line() {
 /// Conditions that a printer does not report itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
 #[test]
 fn printers_say_what_has_to_be_true() {
-    for (name, pause) in
-        [("marlin", "M0 must stop"), ("klipper", "PAUSE stops"), ("reprapfirmware", "M226 pauses")]
-    {
+    for name in crate::profiles_of(DialectFamily::Printer) {
+        let pause = format!("{} ", crate::machine(profile(name)).script.pause);
         let rest = if has_floor(name) { CHOP } else { "" };
         let build = built(&spec_text(rest), profile(name));
         let code = text(&build, "star-1-seal.gcode");
         let requires: Vec<&str> = code.lines().filter_map(|line| line.strip_prefix("; requires: ")).collect();
-        for needed in ["homed", "Z 0 set on the release layer", pause] {
+        for needed in ["homed", "Z 0 set on the release layer", pause.as_str()] {
             assert!(requires.iter().any(|line| line.contains(needed)), "{name}: {needed}: {requires:?}");
         }
         let lowest = |line: &&str| ["position_min", "M211", "M564"].iter().any(|word| line.contains(word));

@@ -30,11 +30,11 @@ use stargrip_cam::spec::{
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// All built-in profiles: one for each dialect, by its name.
-const PROFILES: [&str; Dialect::NAMES.len()] = Dialect::WORDS;
+const PROFILES: [&str; Dialect::ALL.len()] = Dialect::WORDS;
 
 /// The dialect of the profile `name`.
 fn dialect(name: &str) -> Dialect {
-    let named = Dialect::NAMES.iter().find(|(own, _)| *own == name);
+    let named = Dialect::ALL.iter().find(|(own, _)| *own == name);
     named.unwrap_or_else(|| panic!("{name} is no dialect")).1
 }
 

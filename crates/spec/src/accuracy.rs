@@ -13,57 +13,34 @@ pub struct Accuracy {
     pub response: Percent,
 }
 
-/// A level of fidelity of the mechanics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelChoice {
+crate::choices! {
+    /// A level of fidelity of the mechanics.
+    ModelChoice,
+    /// The word of the level in specs and studies.
+    word;
     /// Published constants.
-    Fit,
+    Fit: "fit",
     /// Exact membrane limit.
-    Ring,
+    Ring: "ring",
     /// Penalised boundary-value problem.
-    Bvp,
+    Bvp: "bvp",
     /// Bending, stretch and hoop compression at the pressure.
-    Section,
+    Section: "section",
     /// The whole sheet in triangles, with arms and contact.
-    Shell,
+    Shell: "shell",
     /// The cheapest that is accurate enough.
-    Auto,
+    Auto: "auto",
 }
 
-impl ModelChoice {
-    /// All of them, with the words that specs and studies write.
-    pub const ALL: [(&str, Self); 6] = [
-        ("fit", Self::Fit),
-        ("ring", Self::Ring),
-        ("bvp", Self::Bvp),
-        ("section", Self::Section),
-        ("shell", Self::Shell),
-        ("auto", Self::Auto),
-    ];
-}
-
-/// Fineness of a shell's meshes, as a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Detail {
+crate::choices! {
+    /// Fineness of a shell's meshes, as a word.
+    Detail,
+    /// The word of the fineness in studies.
+    word;
     /// For a first look: some 10,000 unknowns on the finest mesh of a V-actuator with arms of 4 W.
-    Coarse,
+    Coarse: "coarse",
     /// For most ends: 67,000.
-    Medium,
+    Medium: "medium",
     /// For results in which mesh errors matter: 150,000.
-    Fine,
-}
-
-impl Detail {
-    /// All of them, with the words that studies write.
-    pub const ALL: [(&str, Self); 3] =
-        [("coarse", Self::Coarse), ("medium", Self::Medium), ("fine", Self::Fine)];
-
-    /// The word for it.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Coarse => "coarse",
-            Self::Medium => "medium",
-            Self::Fine => "fine",
-        }
-    }
+    Fine: "fine",
 }

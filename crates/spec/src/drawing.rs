@@ -77,44 +77,27 @@ impl PartialEq for DrawingContent {
     }
 }
 
-/// The role of a layer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LayerRole {
-    /// Edges of the air side.
-    Air,
-    /// Centre lines of bands.
-    Seam,
-    /// The opening for a hose.
-    Port,
-    /// The cut.
-    Cut,
-    /// Holes.
-    Hole,
-    /// Holes of valves in one sheet, alone or with the rims of their flanges.
-    Valve,
-    /// Points and lines that are measured after inflation; nothing is made of them.
-    Measure,
-    /// No role: the figures are ignored.
-    Ignore,
-}
-
-impl LayerRole {
-    /// All of them with the words that specs write.
-    pub const ALL: [(&'static str, Self); 8] = [
-        ("air", Self::Air),
-        ("seam", Self::Seam),
-        ("port", Self::Port),
-        ("cut", Self::Cut),
-        ("hole", Self::Hole),
-        ("valve", Self::Valve),
-        ("measure", Self::Measure),
-        ("ignore", Self::Ignore),
-    ];
-
+crate::choices! {
+    /// The role of a layer.
+    LayerRole,
     /// The word of the role in a spec.
-    pub fn word(self) -> &'static str {
-        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
-    }
+    word;
+    /// Edges of the air side.
+    Air: "air",
+    /// Centre lines of bands.
+    Seam: "seam",
+    /// The opening for a hose.
+    Port: "port",
+    /// The cut.
+    Cut: "cut",
+    /// Holes.
+    Hole: "hole",
+    /// Holes of valves in one sheet, alone or with the rims of their flanges.
+    Valve: "valve",
+    /// Points and lines that are measured after inflation; nothing is made of them.
+    Measure: "measure",
+    /// No role: the figures are ignored.
+    Ignore: "ignore",
 }
 
 /// The number of the bytes: they may be many.
@@ -268,8 +251,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
 /// them. A layer that has a role already keeps it.
 fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
     let mut layers: Vec<(String, LayerRole)> = Vec::new();
-    let Some(value) = s.take("layers", ValueShape::Lists(LayerRole::ALL.map(|(word, _)| word).to_vec()))
-    else {
+    let Some(value) = s.take("layers", ValueShape::Lists(LayerRole::WORDS.to_vec())) else {
         return layers;
     };
     let Some(table) = value.as_table() else {
@@ -278,7 +260,7 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
         return layers;
     };
     for entry in &table.0 {
-        let words = LayerRole::ALL.map(|(word, _)| word);
+        let words = LayerRole::WORDS;
         let Some((_, role)) = LayerRole::ALL.iter().find(|(word, _)| *word == entry.key) else {
             let message = format!("unknown role {} in [drawing.layers]", quoted(&entry.key));
             let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), message);

@@ -13,6 +13,7 @@ pub mod units;
 
 mod accuracy;
 mod allowed;
+mod choice;
 mod code;
 mod defaults;
 mod drawing;

@@ -117,25 +117,27 @@ impl Limits {
     }
 }
 
-/// Controllers that read the same words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dialect {
+crate::choices! {
+    /// Controllers that read the same words.
+    Dialect,
+    /// The name of the dialect in profiles and in programs.
+    name;
     /// The plain subset that every controller reads.
-    Generic,
+    Generic: "generic",
     /// LinuxCNC.
-    LinuxCnc,
+    LinuxCnc: "linuxcnc",
     /// GRBL 1.1 on an AVR.
-    Grbl,
+    Grbl: "grbl",
     /// grblHAL.
-    GrblHal,
+    GrblHal: "grblhal",
     /// FluidNC.
-    FluidNc,
+    FluidNc: "fluidnc",
     /// Marlin.
-    Marlin,
+    Marlin: "marlin",
     /// Klipper.
-    Klipper,
+    Klipper: "klipper",
     /// RepRapFirmware.
-    RepRapFirmware,
+    RepRapFirmware: "reprapfirmware",
 }
 
 /// What dialects have in common: the machines whose habits their controllers follow.
@@ -150,35 +152,26 @@ pub enum DialectFamily {
 }
 
 impl Dialect {
-    /// Every dialect, by its name in profiles.
-    pub const NAMES: [(&'static str, Self); 8] = [
-        ("generic", Self::Generic),
-        ("linuxcnc", Self::LinuxCnc),
-        ("grbl", Self::Grbl),
-        ("grblhal", Self::GrblHal),
-        ("fluidnc", Self::FluidNc),
-        ("marlin", Self::Marlin),
-        ("klipper", Self::Klipper),
-        ("reprapfirmware", Self::RepRapFirmware),
-    ];
-
-    /// The names of [`Dialect::NAMES`] alone.
-    pub const WORDS: [&'static str; Self::NAMES.len()] = {
-        let mut words = [""; Self::NAMES.len()];
-        let mut i = 0;
-        while i < words.len() {
-            words[i] = Self::NAMES[i].0;
-            i += 1;
-        }
-        words
-    };
-
     /// The family of its machines.
     pub const fn family(self) -> DialectFamily {
         match self {
             Self::Generic => DialectFamily::Plain,
             Self::LinuxCnc | Self::Grbl | Self::GrblHal | Self::FluidNc => DialectFamily::Mill,
             Self::Marlin | Self::Klipper | Self::RepRapFirmware => DialectFamily::Printer,
+        }
+    }
+
+    /// Whether the timer of its controller's long steps wraps around.
+    pub const fn timer_wraps(self) -> bool {
+        match self {
+            Self::FluidNc => true,
+            Self::Generic
+            | Self::LinuxCnc
+            | Self::Grbl
+            | Self::GrblHal
+            | Self::Marlin
+            | Self::Klipper
+            | Self::RepRapFirmware => false,
         }
     }
 
@@ -205,11 +198,6 @@ impl Dialect {
             Self::Klipper => "Klipper",
             Self::RepRapFirmware => "RepRapFirmware",
         }
-    }
-
-    /// The name of the dialect in profiles and in programs.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, dialect)| *dialect == self).map_or("", |(name, _)| name)
     }
 }
 

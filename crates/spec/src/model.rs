@@ -48,38 +48,23 @@ pub struct BuildSpec {
     pub link: Option<String>,
 }
 
-/// A kind of file that comes only where it is named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extra {
+crate::choices! {
+    /// A kind of file that comes only where it is named.
+    Extra,
+    /// The name of the kind of file.
+    name;
     /// A one-page report of the gripper.
-    Report,
+    Report: "report",
     /// The products in three dimensions.
-    SceneGlb,
+    SceneGlb: "scene-glb",
     /// The picture in pixels.
-    PreviewPng,
+    PreviewPng: "preview-png",
     /// The cut on paper.
-    OutlinePdf,
+    OutlinePdf: "outline-pdf",
     /// A plate of the frame on paper.
-    FramePdf,
+    FramePdf: "frame-pdf",
     /// A plate of the frame as a solid.
-    FrameStl,
-}
-
-impl Extra {
-    /// All of them by their names, which are those of the kinds of files.
-    pub const ALL: [(&'static str, Self); 6] = [
-        ("report", Self::Report),
-        ("scene-glb", Self::SceneGlb),
-        ("preview-png", Self::PreviewPng),
-        ("outline-pdf", Self::OutlinePdf),
-        ("frame-pdf", Self::FramePdf),
-        ("frame-stl", Self::FrameStl),
-    ];
-
-    /// The name of the extra file.
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(name, _)| name)
-    }
+    FrameStl: "frame-stl",
 }
 
 /// The fabric of one sheet.
@@ -344,21 +329,13 @@ impl Load {
     }
 }
 
-/// The shape of an object whose axis is the gripper's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ObjectShape {
+crate::choices! {
+    /// The shape of an object whose axis is the gripper's.
+    ObjectShape,
+    /// The word of the shape in specs and arguments.
+    word;
     /// A cylinder: as wide everywhere.
-    Cylinder,
+    Cylinder: "cylinder",
     /// A ball; an ellipsoid of revolution where it is not as tall as wide.
-    Ball,
-}
-
-impl ObjectShape {
-    /// Both, with the words that specs and arguments write.
-    pub const ALL: [(&'static str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
-
-    /// The word of the value in a spec.
-    pub fn word(self) -> &'static str {
-        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
-    }
+    Ball: "ball",
 }

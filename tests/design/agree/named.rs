@@ -132,7 +132,7 @@ fn a_coarse_trace_states_the_time_of_its_chords() {
 /// A profile could have longer lines than its dialect, and long figures then filled them.
 #[test]
 fn a_profile_has_no_longer_lines_than_its_dialect() {
-    for dialect in spec::Dialect::NAMES.map(|(_, dialect)| Dialect::new(dialect)) {
+    for dialect in spec::Dialect::ALL.map(|(_, dialect)| Dialect::new(dialect)) {
         let text = |length: usize| {
             let text = profile(dialect.name);
             let line = text.lines().find(|line| line.starts_with("line_length")).expect("a length");

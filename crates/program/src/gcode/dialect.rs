@@ -16,8 +16,8 @@ pub(super) struct Spelling {
     /// Whether G0 equals G1, or may equal it on an unknown controller: it runs at the feed in force (Klipper, gcode_move.py,
     /// cmd_G1; Marlin, G0_G1.cpp, without `G0_FEEDRATE`; RepRapFirmware, GCodes.cpp, outside of CNC mode).
     pub(super) travel_at_feed: bool,
-    /// Whether its display gets the per cent done by M73 (Klipper, extras/display_status.py), and whether the minutes to go, too.
-    progress: [bool; 2],
+    /// What its display gets by M73.
+    progress: Progress,
     /// The comment that names the maker to its host; `None` where the host reads none, or is unknown. Such a host reads the time, too.
     ///
     /// Moonraker (components/file_manager/metadata.py) believes a time only of a file that names its maker and a date. There is no
@@ -26,19 +26,49 @@ pub(super) struct Spelling {
     pub(super) maker: Option<&'static str>,
 }
 
+/// What a display gets by M73 (Klipper: extras/display_status.py reads P alone).
+#[derive(Clone, Copy, Debug)]
+enum Progress {
+    /// There is no such command.
+    Nothing,
+    /// The per cent done.
+    Percent,
+    /// The per cent done, and the minutes to go.
+    PercentAndMinutes,
+}
+
 impl Spelling {
     /// The spelling of `dialect`.
     pub(super) fn new(dialect: Dialect) -> Self {
-        // Whether dwells are written short, whether travels need a feed, its display, its host.
-        let (dwell_early, travel_at_feed, progress, maker) = match dialect {
-            Dialect::Generic => (false, true, [false; 2], None),
-            Dialect::LinuxCnc | Dialect::FluidNc => (false, false, [false; 2], None),
-            Dialect::Grbl | Dialect::GrblHal => (true, false, [false; 2], None),
-            Dialect::Marlin => (false, true, [true; 2], None),
-            Dialect::Klipper => (false, true, [true, false], Some(MOONRAKER)),
-            Dialect::RepRapFirmware => (false, true, [true; 2], Some(MAKER)),
-        };
-        Self { dwell_early, travel_at_feed, progress, maker }
+        match dialect {
+            Dialect::Generic => {
+                Self { dwell_early: false, travel_at_feed: true, progress: Progress::Nothing, maker: None }
+            }
+            Dialect::LinuxCnc | Dialect::FluidNc => {
+                Self { dwell_early: false, travel_at_feed: false, progress: Progress::Nothing, maker: None }
+            }
+            Dialect::Grbl | Dialect::GrblHal => {
+                Self { dwell_early: true, travel_at_feed: false, progress: Progress::Nothing, maker: None }
+            }
+            Dialect::Marlin => Self {
+                dwell_early: false,
+                travel_at_feed: true,
+                progress: Progress::PercentAndMinutes,
+                maker: None,
+            },
+            Dialect::Klipper => Self {
+                dwell_early: false,
+                travel_at_feed: true,
+                progress: Progress::Percent,
+                maker: Some(MOONRAKER),
+            },
+            Dialect::RepRapFirmware => Self {
+                dwell_early: false,
+                travel_at_feed: true,
+                progress: Progress::PercentAndMinutes,
+                maker: Some(MAKER),
+            },
+        }
     }
 
     /// The comment that gives its host the time of a job of `seconds`; `None` where the host reads none.
@@ -61,9 +91,11 @@ impl Spelling {
 
     /// The display's progress, where there is a command for it: whole per cent done, whole minutes to go.
     pub(super) fn progress(self, percent: f64, minutes: f64) -> Option<String> {
-        let [tells_percent, tells_minutes] = self.progress;
-        let remaining = if tells_minutes { format!(" R{minutes}") } else { String::new() };
-        tells_percent.then(|| format!("M73 P{percent}{remaining}"))
+        match self.progress {
+            Progress::Nothing => None,
+            Progress::Percent => Some(format!("M73 P{percent}")),
+            Progress::PercentAndMinutes => Some(format!("M73 P{percent} R{minutes}")),
+        }
     }
 }
 
@@ -73,17 +105,15 @@ mod tests {
 
     #[test]
     fn a_dwell_is_what_the_controller_makes_of_it() {
-        for (dialect, unit, text) in [
-            (Dialect::Generic, DwellUnit::Seconds, "G4 P1.65"),
-            (Dialect::LinuxCnc, DwellUnit::Seconds, "G4 P1.65"),
-            (Dialect::Grbl, DwellUnit::Seconds, "G4 P1.649"),
-            (Dialect::GrblHal, DwellUnit::Seconds, "G4 P1.649"),
-            (Dialect::FluidNc, DwellUnit::Seconds, "G4 P1.65"),
-            (Dialect::Marlin, DwellUnit::Milliseconds, "G4 P1650"),
-            (Dialect::Klipper, DwellUnit::Milliseconds, "G4 P1650"),
-            (Dialect::RepRapFirmware, DwellUnit::Milliseconds, "G4 P1650"),
-        ] {
-            assert_eq!(Spelling::new(dialect).dwell(unit, 1.65), text, "{dialect:?}");
+        for (name, dialect) in Dialect::ALL {
+            let (unit, text) = match dialect {
+                Dialect::Generic | Dialect::LinuxCnc | Dialect::FluidNc => (DwellUnit::Seconds, "G4 P1.65"),
+                Dialect::Grbl | Dialect::GrblHal => (DwellUnit::Seconds, "G4 P1.649"),
+                Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
+                    (DwellUnit::Milliseconds, "G4 P1650")
+                }
+            };
+            assert_eq!(Spelling::new(dialect).dwell(unit, 1.65), text, "{name}");
         }
     }
 

@@ -7,19 +7,30 @@
 
 use spec::Dialect;
 
-/// The travel of a dialect: whether its speed holds along the way, whether its acceleration does, and the speed, mm/s, at which
-/// it passes a right angle between a level way and one straight up or down.
+/// The travel of a dialect.
+struct TravelHabits {
+    /// Whether the speed holds along the way; else along each axis.
+    whole_speed: bool,
+    /// Whether the acceleration holds along the way; else along each axis.
+    whole_ramp: bool,
+    /// The speed, mm/s, at which it passes a right angle between a level way and one straight up or down.
+    bend: f64,
+}
+
+/// The travel of `dialect`.
 ///
 /// Klipper: printer.cfg, `square_corner_velocity`, 5 by default; RepRapFirmware: M566 Z, 10 mm/s by default (Configuration.h,
 /// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2; a faster machine gains
 /// less than 0.03 s: they are not counted.
-fn habits(dialect: Dialect) -> (bool, bool, f64) {
+fn habits(dialect: Dialect) -> TravelHabits {
     match dialect {
-        Dialect::Generic => (true, false, 0.0),
-        Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => (false, false, 0.0),
-        Dialect::Marlin => (true, true, 0.0),
-        Dialect::Klipper => (true, true, 5.0),
-        Dialect::RepRapFirmware => (true, false, 10.0),
+        Dialect::Generic => TravelHabits { whole_speed: true, whole_ramp: false, bend: 0.0 },
+        Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
+            TravelHabits { whole_speed: false, whole_ramp: false, bend: 0.0 }
+        }
+        Dialect::Marlin => TravelHabits { whole_speed: true, whole_ramp: true, bend: 0.0 },
+        Dialect::Klipper => TravelHabits { whole_speed: true, whole_ramp: true, bend: 5.0 },
+        Dialect::RepRapFirmware => TravelHabits { whole_speed: true, whole_ramp: false, bend: 10.0 },
     }
 }
 
@@ -69,7 +80,7 @@ impl Travel {
         if length <= 0.0 {
             return None;
         }
-        let (whole_speed, whole_ramp, bend) = habits(limits.dialect);
+        let TravelHabits { whole_speed, whole_ramp, bend } = habits(limits.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
         let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         Some(Self {

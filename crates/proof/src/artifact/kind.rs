@@ -6,27 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use spec::{Extra, Spec};
 
-/// Declares an enum from one table, one line a variant with its name, which `$method` gives.
-macro_rules! named {
-    ($(#[$about:meta])* $type:ident, $(#[$says:meta])* $method:ident; $($(#[$doc:meta])* $variant:ident: $name:literal,)+) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $type {
-            $($(#[$doc])* $variant,)+
-        }
-
-        impl $type {
-            $(#[$says])*
-            pub fn $method(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $name,)+
-                }
-            }
-        }
-    };
-}
-
-named! {
+spec::choices! {
     /// The subject of a file.
     Subject,
     /// The subject's name in file names.
@@ -59,7 +39,7 @@ named! {
     Report: "report",
 }
 
-named! {
+spec::choices! {
     /// The format of a file.
     Format,
     /// The ending of its files.

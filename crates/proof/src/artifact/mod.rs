@@ -1,10 +1,12 @@
 //! Artifacts: output files as bytes, between the emitters that make them and the verifier that reads them.
 
+mod file_list;
 mod kind;
 mod output;
 
+pub use file_list::{NGC, outputs, program_ending, too_large};
 pub use kind::{Format, Kind, KindRequest, Subject};
-pub use output::{NGC, Output, OutputPart, outputs, program_ending, too_large};
+pub use output::{Output, OutputPart};
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,11 +1,9 @@
-//! Outputs: the list of a design's files, which both the builder and the verifier use.
+//! Outputs: one file of a design, with its name, title, caption and geometry.
 
-use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
-use design::{CutEdge, Design, Drawing, DrawnPiece, FlatPiece, MaskPlate, Paper, StarAssembly};
-use spec::{Dialect, ProgramScope, Spec};
-
-/// The ending of programs for LinuxCNC.
-pub const NGC: &str = "ngc";
+use crate::artifact::file_list::NGC;
+use crate::artifact::kind::{Format, Kind, Subject};
+use design::{CutEdge, Design, Drawing, FlatPiece, MaskPlate, Paper};
+use spec::Spec;
 
 /// The part of a design that a file shows, by its number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -279,130 +277,10 @@ impl Output {
     }
 
     /// One output for each paper that takes it, or with `fits` false for each that does not.
-    fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
+    pub(super) fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
         let has_room =
             move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.has_room_for(drawing) == fits);
         Paper::ALL.into_iter().filter(has_room).map(move |paper| Self { paper: Some(paper), ..self })
-    }
-}
-
-/// The ending of programs in `dialect`.
-pub fn program_ending(dialect: Dialect) -> &'static str {
-    if dialect == Dialect::LinuxCnc { NGC } else { Format::Gcode.ending() }
-}
-
-/// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
-pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
-    all(spec, dialect, design, request, true)
-}
-
-/// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
-pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
-    let mut outputs = all(spec, Dialect::Generic, design, request, false);
-    outputs.retain(|output| output.paper.is_some());
-    outputs
-}
-
-/// All files of `design`: with `fits` as they are written, else with those on paper that are not.
-fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
-    let mut outputs = vec![Output::new(Kind::Spec), Output::new(Kind::Machine)];
-    if let Some(drawing) = &spec.drawing {
-        outputs.push(Output::new(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
-    }
-    for kind in [Kind::SealGcode, Kind::TraceGcode] {
-        programs(spec, dialect, design, kind, &mut outputs);
-    }
-    let of_sheet = [
-        Kind::SealSvg,
-        Kind::SealDxf,
-        Kind::OutlineSvg,
-        Kind::OutlineDxf,
-        Kind::PreviewSvg,
-        Kind::PreviewPng,
-        Kind::OutlinePdf,
-    ];
-    for sheet in &design.sheets {
-        let of_kind = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
-        outputs.extend(of_sheet.map(of_kind));
-        if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
-            let outlines = [Kind::OutlineSvg, Kind::OutlineDxf, Kind::OutlinePdf];
-            outputs.extend(outlines.map(|kind| Output { valves: true, ..of_kind(kind) }));
-        }
-    }
-    if let Some(assembly) = design.assembly() {
-        of_assembly(spec, assembly, &mut outputs);
-    }
-    // Equal copies have one separator.
-    for first in design.firsts() {
-        if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
-            let of_mask = |kind| Output {
-                part: OutputPart::Piece { piece: first.index, sheet: None },
-                ..Output::new(kind)
-            };
-            outputs.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
-        }
-    }
-    if spec.load.is_some() {
-        outputs.push(Output::new(Kind::Prediction));
-    }
-    outputs.extend([Kind::SceneGlb, Kind::Report].map(Output::new));
-    outputs.retain(|output| request.includes(output.kind));
-    let on_paper = |output: Output| match output.kind.format() {
-        Format::Pdf => output.on_paper(design, fits).collect(),
-        Format::Toml
-        | Format::Gcode
-        | Format::Svg
-        | Format::Dxf
-        | Format::Stl
-        | Format::Json
-        | Format::Png
-        | Format::Glb
-        | Format::Html => vec![output],
-    };
-    outputs.into_iter().flat_map(on_paper).collect()
-}
-
-/// The programs of one kind: one a sheet, or one a star or piece.
-fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, outputs: &mut Vec<Output>) {
-    let of_part = |part| Output { part, ngc: dialect == Dialect::LinuxCnc, ..Output::new(kind) };
-    match (spec.machine.program, design.assembly()) {
-        (ProgramScope::Sheet, _) => {
-            outputs.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
-        }
-        (ProgramScope::Piece, Some(assembly)) => {
-            let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
-            outputs.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
-        }
-        (ProgramScope::Piece, None) => {
-            let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
-            outputs.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
-        }
-    }
-}
-
-/// The masks and plates of a gripper.
-fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) {
-    for placed in assembly.firsts() {
-        let tiles = &assembly.part(placed).tiles;
-        // Also for the other face, if the spec requests it.
-        for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
-            let part = OutputPart::Star { star: placed.index, sheet: None };
-            let of_mask = |kind| Output { part, mirrored, ..Output::new(kind) };
-            outputs.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-            if tiles.are_several() {
-                let tile = |number| Output { tile: Some(number), ..of_mask(Kind::MaskStl) };
-                outputs.extend((1..=tiles.tiles.len()).map(tile));
-                outputs.push(of_mask(Kind::PiecesSvg));
-            } else {
-                outputs.push(of_mask(Kind::MaskStl));
-            }
-            outputs.push(of_mask(Kind::MaskPdf));
-        }
-    }
-    for plate in &assembly.frame.plates {
-        let Some(lowest) = plate.numbers.first() else { continue };
-        let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
-        outputs.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
     }
 }

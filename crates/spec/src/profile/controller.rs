@@ -9,7 +9,7 @@ use crate::units::Duration;
 
 /// Reads the controller, from the keys before the first section; its dwells have a section of their own.
 pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
-    let dialect = root.choice("dialect", &Dialect::NAMES).unwrap_or(Dialect::Generic);
+    let dialect = root.choice("dialect", &Dialect::ALL).unwrap_or(Dialect::Generic);
     let heating = [("operator", Heating::Operator), ("hotend", Heating::Hotend)];
     let heating = root.choice("heating", &heating).unwrap_or(Heating::Operator);
     let comments = [("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)];

@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn everything_else_is_not() {
-        for (_, dialect) in Dialect::NAMES {
+        for (_, dialect) in Dialect::ALL {
             for line in [
                 "",
                 "G0 Z-50",

@@ -91,6 +91,7 @@ fn words(line: &str) -> impl Iterator<Item = String> + use<> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::source::Source;
     use crate::{builtin_machine, read_machine};
 
@@ -117,13 +118,18 @@ mod tests {
 
     #[test]
     fn dwells_and_heating_are_those_of_the_dialect() {
-        for name in ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc"] {
-            assert_eq!(codes(name, "unit = \"s\"", "unit = \"ms\""), ["conflict"], "{name}");
-            assert_eq!(codes(name, "heating = \"operator\"", "heating = \"hotend\""), ["conflict"], "{name}");
-        }
-        for name in ["marlin", "klipper", "reprapfirmware"] {
-            assert_eq!(codes(name, "unit = \"ms\"", "unit = \"s\""), ["conflict"], "{name}");
-            assert_eq!(codes(name, "unit = \"ms\"", ""), [""; 0], "{name}");
+        for (name, dialect) in Dialect::ALL {
+            match dialect.family() {
+                DialectFamily::Plain | DialectFamily::Mill => {
+                    assert_eq!(codes(name, "unit = \"s\"", "unit = \"ms\""), ["conflict"], "{name}");
+                    let hotend = codes(name, "heating = \"operator\"", "heating = \"hotend\"");
+                    assert_eq!(hotend, ["conflict"], "{name}");
+                }
+                DialectFamily::Printer => {
+                    assert_eq!(codes(name, "unit = \"ms\"", "unit = \"s\""), ["conflict"], "{name}");
+                    assert_eq!(codes(name, "unit = \"ms\"", ""), [""; 0], "{name}");
+                }
+            }
         }
     }
 

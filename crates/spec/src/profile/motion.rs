@@ -18,9 +18,35 @@ const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
 /// Fewest steps of a move: more than a misconfigured firmware requires.
 const MOVE: Allowed = Allowed::closed(0.0, 100.0);
-/// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: the values of most boards with
-/// Marlin.
-const MARLIN: (f64, f64) = (120.0, 6.0);
+
+/// What a dialect says of the motors where a profile does not.
+struct MotionDefaults {
+    /// The rate of a move's first step at least, steps/s.
+    first_step_rate: Option<f64>,
+    /// Fewest steps of a move.
+    min_move_steps: f64,
+    /// Whether every board has a lowest step rate.
+    has_floor: bool,
+}
+
+impl MotionDefaults {
+    /// The defaults of `dialect`. Marlin: planner.cpp, `MINIMAL_STEP_RATE`, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`, with
+    /// the values of most boards.
+    const fn new(dialect: Dialect) -> Self {
+        match dialect {
+            Dialect::Marlin => Self { first_step_rate: Some(120.0), min_move_steps: 6.0, has_floor: true },
+            Dialect::Generic
+            | Dialect::LinuxCnc
+            | Dialect::Grbl
+            | Dialect::GrblHal
+            | Dialect::FluidNc
+            | Dialect::Klipper
+            | Dialect::RepRapFirmware => {
+                Self { first_step_rate: None, min_move_steps: 0.0, has_floor: false }
+            }
+        }
+    }
+}
 
 /// Reads `[motion]` of a controller of `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
@@ -41,19 +67,10 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         None => StepRate::NoLimit,
         Some(rate) => rate.map_or(StepRate::Unknown, StepRate::AtLeast),
     };
-    if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
-        refuse_no_floor(s);
+    let defaults = MotionDefaults::new(dialect);
+    if defaults.has_floor && step_rate == StepRate::NoLimit {
+        refuse_no_floor(s, dialect);
     }
-    let (first, fewest) = match dialect {
-        Dialect::Marlin => (Some(MARLIN.0), MARLIN.1),
-        Dialect::Generic
-        | Dialect::LinuxCnc
-        | Dialect::Grbl
-        | Dialect::GrblHal
-        | Dialect::FluidNc
-        | Dialect::Klipper
-        | Dialect::RepRapFirmware => (None, 0.0),
-    };
     let rate = unless(s, "first_step_rate", "none", |s| s.number("first_step_rate", RATE));
     Motion {
         steps_per_mm,
@@ -63,17 +80,18 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         chop_feed: quantity_or_unknown(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: quantity_or_unknown(s, "tick", Allowed::closed(0.0, 0.1)),
-        wraps: dialect == Dialect::FluidNc,
-        first_step_rate: rate.and_then(|rate| rate.or(first)),
-        min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(fewest),
+        wraps: dialect.timer_wraps(),
+        first_step_rate: rate.and_then(|rate| rate.or(defaults.first_step_rate)),
+        min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(defaults.min_move_steps),
     }
 }
 
-/// Marlin has a floor on every board: where its timer has none, it rounds step rates up to whole steps a second.
-fn refuse_no_floor(s: &mut Section<'_, '_>) {
-    let place = s.place_of("min_step_rate");
-    let fault = Fault::error(FaultCode::Conflict, place, "`min_step_rate` is \"none\", but Marlin has a floor on every board")
-        .label("must be a step rate, such as 32: with 32 bits Marlin rounds rates up to whole steps a second")
+/// Refuses `min_step_rate = "none"` of a dialect of which every board has a floor.
+fn refuse_no_floor(s: &mut Section<'_, '_>, dialect: Dialect) {
+    let (place, title) = (s.place_of("min_step_rate"), dialect.title());
+    let message = format!("`min_step_rate` is \"none\", but {title} has a floor on every board");
+    let fault = Fault::error(FaultCode::Conflict, place, message)
+        .label(format!("must be a step rate, such as 32: with 32 bits {title} rounds rates up to whole steps a second"))
         .help("at r steps/s it runs up to 1/r too fast: 0.2 % at 500, 17 % at 6; slower seals need `feed_floor = \"chop\"`");
     s.report(fault);
 }

@@ -4,88 +4,107 @@ use spec::{Comments, Controller, DwellUnit, Vocabulary};
 
 /// The strictest of GRBL (0.005 mm, or 0.1 % up to 0.5 mm) and LinuxCNC (about 0.028 mm).
 const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.028 };
+/// GRBL's: 0.005 mm, or 0.1 % up to 0.5 mm (gcode.c).
+const GRBL: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 };
+
+/// A row of the table: how a dialect reads lines, time and arcs. Every dialect writes every column.
+struct Rules {
+    line_length: usize,
+    forbidden: &'static str,
+    travel_at_feed: bool,
+    dwell: DwellUnit,
+    dwell_step: f64,
+    arcs: ArcTolerance,
+}
+
+/// The rules of each dialect.
+///
+/// Generic: the plain subset that every controller reads alike, with capital letters, `;` comments, arcs by I and J. Parentheses are
+/// refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`, which GRBL obeys even inside comments. The
+/// line length is GRBL's 80 with a reserve. G0 is read as G1, at the feed in force, as three of the controllers do.
+///
+/// LinuxCNC: lines up to 255. GRBL 1.1: lines up to 80 (protocol.h), arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
+/// grblHAL: as GRBL, lines up to 256 (protocol.h). FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds
+/// (NutsBolts.cpp). Marlin without its options, Klipper without `[gcode_arcs]`, RepRapFirmware 3: G4 P in ms, G0 as G1; Marlin's lines
+/// up to 95 (`MAX_CMD_SIZE`).
+const fn rules(dialect: spec::Dialect) -> Rules {
+    match dialect {
+        spec::Dialect::Generic => Rules {
+            line_length: 72,
+            forbidden: "()!~?",
+            travel_at_feed: true,
+            dwell: DwellUnit::Seconds,
+            dwell_step: 0.0,
+            arcs: STRICTEST,
+        },
+        spec::Dialect::LinuxCnc => Rules {
+            line_length: 255,
+            forbidden: "()!~?",
+            travel_at_feed: false,
+            dwell: DwellUnit::Seconds,
+            dwell_step: 0.0,
+            arcs: STRICTEST,
+        },
+        spec::Dialect::Grbl => Rules {
+            line_length: 80,
+            forbidden: "()!~?",
+            travel_at_feed: false,
+            dwell: DwellUnit::Seconds,
+            dwell_step: 0.05,
+            arcs: GRBL,
+        },
+        spec::Dialect::GrblHal => Rules {
+            line_length: 256,
+            forbidden: "()!~?",
+            travel_at_feed: false,
+            dwell: DwellUnit::Seconds,
+            dwell_step: 0.05,
+            arcs: GRBL,
+        },
+        spec::Dialect::FluidNc => Rules {
+            line_length: 255,
+            forbidden: "()!~?",
+            travel_at_feed: false,
+            dwell: DwellUnit::Seconds,
+            dwell_step: 0.0,
+            arcs: GRBL,
+        },
+        spec::Dialect::Marlin => Rules {
+            line_length: 95,
+            forbidden: "()!~?*",
+            travel_at_feed: true,
+            dwell: DwellUnit::Milliseconds,
+            dwell_step: 0.0,
+            arcs: STRICTEST,
+        },
+        spec::Dialect::Klipper | spec::Dialect::RepRapFirmware => Rules {
+            line_length: 255,
+            forbidden: "()!~?*",
+            travel_at_feed: true,
+            dwell: DwellUnit::Milliseconds,
+            dwell_step: 0.0,
+            arcs: STRICTEST,
+        },
+    }
+}
 
 impl Dialect {
-    /// The plain subset that every controller reads alike: capital letters, `;` comments, arcs by I and J.
-    ///
-    /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`, which GRBL obeys
-    /// even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out. Arcs, and G91.1 with them, are read
-    /// only for a profile with `arcs = true`. G0 is read as G1, at the feed in force, as three of the controllers do.
-    pub const GENERIC: Self = Self {
-        name: "generic",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::Generic),
-        line_length: 72,
-        comments: Comments::Semicolon,
-        forbidden: "()!~?",
-        travel_at_feed: true,
-        dwell: DwellUnit::Seconds,
-        dwell_step: 0.0,
-        arcs: STRICTEST,
-    };
+    /// The plain subset that every controller reads alike.
+    pub const GENERIC: Self = Self::new(spec::Dialect::Generic);
 
-    /// LinuxCNC: lines up to 255.
-    pub const LINUXCNC: Self = Self {
-        name: "linuxcnc",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::LinuxCnc),
-        line_length: 255,
-        travel_at_feed: false,
-        ..Self::GENERIC
-    };
-
-    /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
-    pub const GRBL: Self = Self {
-        name: "grbl",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::Grbl),
-        line_length: 80,
-        travel_at_feed: false,
-        dwell_step: 0.05,
-        arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
-        ..Self::GENERIC
-    };
-
-    /// grblHAL: as GRBL, lines up to 256 (protocol.h).
-    pub const GRBLHAL: Self = Self { name: "grblhal", line_length: 256, ..Self::GRBL };
-
-    /// FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds (NutsBolts.cpp).
-    pub const FLUIDNC: Self = Self { name: "fluidnc", line_length: 255, dwell_step: 0.0, ..Self::GRBL };
-
-    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms; G0 as G1.
-    pub const MARLIN: Self = Self {
-        name: "marlin",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::Marlin),
-        line_length: 95,
-        forbidden: "()!~?*",
-        dwell: DwellUnit::Milliseconds,
-        ..Self::GENERIC
-    };
-
-    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
-    pub const KLIPPER: Self = Self {
-        name: "klipper",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::Klipper),
-        line_length: 255,
-        ..Self::MARLIN
-    };
-
-    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start; G0 as G1, as printers have it.
-    pub const REPRAPFIRMWARE: Self = Self {
-        name: "reprapfirmware",
-        vocabulary: Vocabulary::for_dialect(spec::Dialect::RepRapFirmware),
-        line_length: 255,
-        ..Self::MARLIN
-    };
-
-    /// The table of a controller of family `dialect`.
-    pub fn new(dialect: spec::Dialect) -> Self {
-        match dialect {
-            spec::Dialect::Generic => Self::GENERIC,
-            spec::Dialect::LinuxCnc => Self::LINUXCNC,
-            spec::Dialect::Grbl => Self::GRBL,
-            spec::Dialect::GrblHal => Self::GRBLHAL,
-            spec::Dialect::FluidNc => Self::FLUIDNC,
-            spec::Dialect::Marlin => Self::MARLIN,
-            spec::Dialect::Klipper => Self::KLIPPER,
-            spec::Dialect::RepRapFirmware => Self::REPRAPFIRMWARE,
+    /// The table of a controller of family `dialect`: its words from the vocabulary, its rules, comments from `;` to the line end.
+    pub const fn new(dialect: spec::Dialect) -> Self {
+        let Rules { line_length, forbidden, travel_at_feed, dwell, dwell_step, arcs } = rules(dialect);
+        Self {
+            name: dialect.name(),
+            line_length,
+            vocabulary: Vocabulary::for_dialect(dialect),
+            comments: Comments::Semicolon,
+            forbidden,
+            travel_at_feed,
+            dwell,
+            dwell_step,
+            arcs,
         }
     }
 

@@ -1,0 +1,196 @@
+//! The list of a design's files, which both the builder and the verifier use.
+//!
+//! The subject of a kind decides for which [`Parts`] of a design its files are made, so that each kind is made somewhere.
+
+use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
+use crate::artifact::output::{Output, OutputPart};
+use design::{Design, DrawnPiece, FlatPiece, StarAssembly};
+use spec::{Dialect, ProgramScope, Spec};
+
+/// The ending of programs for LinuxCNC.
+pub const NGC: &str = "ngc";
+
+/// The ending of programs in `dialect`.
+pub fn program_ending(dialect: Dialect) -> &'static str {
+    match dialect {
+        Dialect::LinuxCnc => NGC,
+        Dialect::Generic
+        | Dialect::Grbl
+        | Dialect::GrblHal
+        | Dialect::FluidNc
+        | Dialect::Marlin
+        | Dialect::Klipper
+        | Dialect::RepRapFirmware => Format::Gcode.ending(),
+    }
+}
+
+/// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
+pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
+    all(spec, dialect, design, request, true)
+}
+
+/// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
+pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
+    let mut out = all(spec, Dialect::Generic, design, request, false);
+    out.retain(|output| output.paper.is_some());
+    out
+}
+
+/// The parts of a design for each of which there is a file of a kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Parts {
+    /// The whole design: its sources, at the head of the list.
+    Sources,
+    /// What a machine does in one go: each sheet, or each star or piece.
+    Programs,
+    /// Each sheet.
+    Sheets,
+    /// Each star, or each drawn piece with a separator.
+    Masks,
+    /// Each plate of the frame.
+    Plates,
+    /// The whole design: its results, at the end of the list.
+    Results,
+}
+
+impl Parts {
+    /// The parts for each of which there is a file of `kind`.
+    fn of_kind(kind: Kind) -> Self {
+        match kind.subject() {
+            Subject::Spec | Subject::Machine | Subject::Drawing => Self::Sources,
+            Subject::Seal if kind.format() == Format::Gcode => Self::Programs,
+            Subject::Trace => Self::Programs,
+            Subject::Seal | Subject::Outline | Subject::Preview => Self::Sheets,
+            Subject::Mask | Subject::Pieces => Self::Masks,
+            Subject::Frame => Self::Plates,
+            Subject::Prediction | Subject::Scene | Subject::Report => Self::Results,
+        }
+    }
+
+    /// The kinds of files that these parts have, in the order of the list: those on paper last.
+    fn kinds(self) -> impl Iterator<Item = Kind> {
+        let kinds = move |on_paper: bool| {
+            let of_parts = Kind::ALL.iter().copied().filter(move |kind| Self::of_kind(*kind) == self);
+            of_parts.filter(move |kind| (kind.format() == Format::Pdf) == on_paper)
+        };
+        kinds(false).chain(kinds(true))
+    }
+}
+
+/// Whether a design of `spec` has a file of `kind`, one for the whole design.
+fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
+    match kind {
+        Kind::DrawingSvg => spec.drawing.as_ref().is_some_and(|drawing| !drawing.is_dxf()),
+        Kind::DrawingDxf => spec.drawing.as_ref().is_some_and(spec::DrawingSpec::is_dxf),
+        Kind::Prediction => spec.load.is_some(),
+        Kind::Spec
+        | Kind::Machine
+        | Kind::SealGcode
+        | Kind::TraceGcode
+        | Kind::SealSvg
+        | Kind::SealDxf
+        | Kind::OutlineSvg
+        | Kind::OutlineDxf
+        | Kind::OutlinePdf
+        | Kind::MaskSvg
+        | Kind::MaskDxf
+        | Kind::MaskPdf
+        | Kind::MaskStl
+        | Kind::PiecesSvg
+        | Kind::FrameSvg
+        | Kind::FrameDxf
+        | Kind::FramePdf
+        | Kind::FrameStl
+        | Kind::PreviewSvg
+        | Kind::PreviewPng
+        | Kind::SceneGlb
+        | Kind::Report => true,
+    }
+}
+
+/// All files of `design`: with `fits` as they are written, else with those on paper that are not.
+///
+/// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
+fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
+    let whole_design = |parts: Parts| parts.kinds().filter(|kind| is_of_spec(spec, *kind)).map(Output::new);
+    let mut out: Vec<Output> = whole_design(Parts::Sources).collect();
+    for kind in Parts::Programs.kinds() {
+        programs(spec, dialect, design, kind, &mut out);
+    }
+    for sheet in &design.sheets {
+        let of_sheet = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
+        out.extend(Parts::Sheets.kinds().map(of_sheet));
+        if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
+            let outlines = Parts::Sheets.kinds().filter(|kind| kind.subject() == Subject::Outline);
+            out.extend(outlines.map(|kind| Output { valves: true, ..of_sheet(kind) }));
+        }
+    }
+    if let Some(assembly) = design.assembly() {
+        of_assembly(spec, assembly, &mut out);
+    }
+    // Equal copies have one separator. It is thin paper: no solid.
+    for first in design.firsts() {
+        if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
+            let part = OutputPart::Piece { piece: first.index, sheet: None };
+            let flat = |kind: &Kind| kind.subject() == Subject::Mask && kind.format() != Format::Stl;
+            out.extend(Parts::Masks.kinds().filter(flat).map(|kind| Output { part, ..Output::new(kind) }));
+        }
+    }
+    out.extend(whole_design(Parts::Results));
+    out.retain(|output| request.includes(output.kind));
+    let on_paper = |output: Output| match output.kind.format() {
+        Format::Pdf => output.on_paper(design, fits).collect(),
+        Format::Toml
+        | Format::Gcode
+        | Format::Svg
+        | Format::Dxf
+        | Format::Stl
+        | Format::Json
+        | Format::Png
+        | Format::Glb
+        | Format::Html => vec![output],
+    };
+    out.into_iter().flat_map(on_paper).collect()
+}
+
+/// The programs of one kind: one a sheet, or one a star or piece.
+fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
+    let of_part = |part| Output { part, ngc: program_ending(dialect) == NGC, ..Output::new(kind) };
+    match (spec.machine.program, design.assembly()) {
+        (ProgramScope::Sheet, _) => {
+            out.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
+        }
+        (ProgramScope::Piece, Some(assembly)) => {
+            let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
+            out.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
+        }
+        (ProgramScope::Piece, None) => {
+            let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
+            out.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
+        }
+    }
+}
+
+/// The masks and plates of a gripper.
+fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
+    for placed in assembly.firsts() {
+        let tiles = &assembly.part(placed).tiles;
+        let part = OutputPart::Star { star: placed.index, sheet: None };
+        // Also for the other face, if the spec requests it.
+        for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
+            for kind in Parts::Masks.kinds() {
+                let whole = Output { part, mirrored, ..Output::new(kind) };
+                if kind.format() == Format::Stl && tiles.are_several() {
+                    out.extend((1..=tiles.tiles.len()).map(|number| Output { tile: Some(number), ..whole }));
+                } else if kind.subject() == Subject::Mask || tiles.are_several() {
+                    out.push(whole);
+                }
+            }
+        }
+    }
+    for plate in &assembly.frame.plates {
+        let Some(lowest) = plate.numbers.first() else { continue };
+        let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
+        out.extend(Parts::Plates.kinds().map(of_plate));
+    }
+}
