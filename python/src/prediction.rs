@@ -11,7 +11,7 @@ use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::sealed::Seam;
 use stargrip_cam::shell::cases::{InflatedShape, Symmetry, Watch};
-use stargrip_cam::spec::{ModelChoice, key};
+use stargrip_cam::spec::{ModelChoice, ProductKind, key};
 
 use crate::answer::of_gripper;
 use crate::arguments;
@@ -60,7 +60,11 @@ pub(crate) fn predict(
         question(model.as_deref(), radii.as_deref(), fineness.as_deref(), accuracy.as_deref())
             .map_err(|failure| of_failure(py, &failure))?;
     let loaded_spec = &loaded.reading.spec;
-    let answered = if loaded_spec.drawing.is_some()
+    let has_shell_only = match loaded_spec.product() {
+        ProductKind::Stars => false,
+        ProductKind::Drawing => true,
+    };
+    let answered = if has_shell_only
         || star_question.accuracy.is_some()
         || star_question.model.unwrap_or(loaded_spec.accuracy.model) == ModelChoice::Shell
     {

@@ -7,7 +7,7 @@ use crate::pipeline::Forecast;
 use design::CutEdge;
 use forecast::drawn::prediction::ChamberPrediction;
 use forecast::interval::scaled;
-use forecast::prediction::{Prediction, StarPrediction, distinct};
+use forecast::prediction::{Prediction, StarPrediction, groups_of_equals};
 use forecast::ranges::shown::{self, or_unknown, rounded, with_limit};
 use forecast::tone::Tone;
 use forecast::verdict::of_stars;
@@ -78,9 +78,9 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     };
     let Some(pressure) = load.pressure else { return Vec::new() };
     let mut rows = Vec::new();
-    let distinct_closings = distinct(prediction.stars.iter().map(closing));
-    let is_alone = distinct_closings.len() == 1;
-    let closings = distinct_closings.iter().map(|(text, stars)| {
+    let groups = groups_of_equals(prediction.stars.iter().map(closing));
+    let is_alone = groups.len() == 1;
+    let closings = groups.iter().map(|(text, stars)| {
         let text = format!("{text}{}", room(stars.iter().filter_map(|star| prediction.stars.get(star - 1))));
         if is_alone { text } else { of_stars(stars, &text) }
     });

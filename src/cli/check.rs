@@ -15,7 +15,7 @@ use crate::emit;
 use crate::emit::FaultMark;
 use design::figures;
 use geom::Point;
-use spec::DrawnPlace;
+use spec::{DrawnPlace, ProductKind};
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]
@@ -54,7 +54,7 @@ fn mark(place: Option<&DrawnPlace>, message: &str, remedy: &str) -> FaultMark {
 fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Failure> {
     let Some(path) = &args.picture else { return Ok(()) };
     let spec = &loaded.reading.spec;
-    if spec.drawing.is_none() && marks.is_empty() {
+    if spec.product() != ProductKind::Drawing && marks.is_empty() {
         tell(&format!("note: {} is not written: the spec has no drawing", shown(path)));
         return Ok(());
     }

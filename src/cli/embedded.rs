@@ -109,7 +109,7 @@ pub fn coupons(loaded: &Loaded, options: &[String]) -> Result<ProvenCoupons, Fai
 pub fn feed_check(loaded: &Loaded) -> Result<[(String, Vec<u8>); 2], Failure> {
     let program = feedcheck::default_output(&loaded.machine);
     let proven = feedcheck::feed_check(loaded, &program.to_string_lossy())?;
-    let manifest = feedcheck::manifest_of(&program);
+    let manifest = feedcheck::manifest_path(&program);
     let names = [program, manifest].map(|path| path.to_string_lossy().into_owned());
     let [program, manifest] = names;
     Ok([(program, proven.text.into_bytes()), (manifest, proven.manifest.to_json())])

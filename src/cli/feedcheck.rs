@@ -47,7 +47,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::Message(message));
     }
     // The manifest comes first: a program without one could be run, but not verified.
-    let manifest = manifest_of(&output);
+    let manifest = manifest_path(&output);
     replace(&manifest, &String::from_utf8_lossy(&proven.manifest.to_json()))?;
     let outcome = if args.force { replace(&output, &proven.text) } else { write_new(&output, &proven.text) };
     outcome.inspect_err(|_| {
@@ -104,7 +104,7 @@ pub(super) fn feed_check(loaded: &Loaded, name: &str) -> Result<ProvenFeedCheck,
 }
 
 /// The manifest beside the feed check `program`, from which `verify` proves it.
-pub(super) fn manifest_of(program: &Path) -> PathBuf {
+pub(super) fn manifest_path(program: &Path) -> PathBuf {
     let mut name = program.file_name().unwrap_or_default().to_owned();
     name.push(FEED_CHECK_MANIFEST);
     program.with_file_name(name)

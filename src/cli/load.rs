@@ -16,7 +16,7 @@ use design::{RefusalCode, Refusals, Warning, drawing_notes};
 use forecast::drawn::{MOST_UNKNOWNS, Watch};
 use proof::artifact::KindRequest;
 use proof::verify::Finding;
-use spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+use spec::{Fault, FaultCode, Faults, Machine, ProductKind, Reading, SIZE_LIMIT, Source, key};
 
 /// The profile's name in a published directory.
 pub(super) const MACHINE: &str = "machine.toml";
@@ -83,11 +83,12 @@ impl Loaded {
     /// # Errors
     /// If the spec has a drawing.
     pub(super) fn with_stars(self, command: &str) -> Result<Self, Failure> {
-        if self.reading.spec.has_stars() {
-            return Ok(self);
-        }
-        let place = self.reading.raw.span_of(key::drawing::FILE);
-        let message = format!("`{command}` is for stars only, and this spec has a drawing");
+        let (key, product) = match self.reading.spec.product() {
+            ProductKind::Stars => return Ok(self),
+            ProductKind::Drawing => (key::drawing::FILE, "a drawing"),
+        };
+        let place = self.reading.raw.span_of(key);
+        let message = format!("`{command}` is for stars only, and this spec has {product}");
         let fault = Fault::error(RefusalCode::NoPrediction, place, message).label("needs [star] instead");
         Err(Faults::new(&self.source, vec![fault]).into())
     }

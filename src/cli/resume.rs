@@ -103,18 +103,18 @@ fn length(text: &str) -> Result<f64, String> {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.job, PROGRAM)?;
     let resumed = resume(&text, args.place()?, args.overlap).map_err(|fault| {
-        let beside = sealing(&args.job).filter(|_| fault == ResumeFault::Trace);
-        let beside = beside.map_or_else(String::new, |path| format!(", {}", shown(path)));
-        Failure::Message(format!("{}: {fault}{beside}", shown(&args.job)))
+        let seal_file = seal_file_beside(&args.job).filter(|_| fault == ResumeFault::Trace);
+        let hint = seal_file.map_or_else(String::new, |path| format!(", {}", shown(path)));
+        Failure::Message(format!("{}: {fault}{hint}", shown(&args.job)))
     })?;
     let manifest = args.job.with_file_name(MANIFEST);
     // Reading a pipe or a device of this name would block, and it cannot be a manifest.
-    let known = manifest.is_file();
-    if known {
-        is_published(&args.job, &manifest, &text)?;
-        is_free(&args.job, &resumed.text)?;
+    let has_manifest = manifest.is_file();
+    if has_manifest {
+        check_unchanged(&args.job, &manifest, &text)?;
+        check_clear_of_clamps(&args.job, &resumed.text)?;
     }
-    let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
+    let target = args.output.clone().unwrap_or_else(|| default_target(&args.job, has_manifest));
     refuse_published(&target)?;
     write_new(&target, &resumed.text)?;
     let text = format!(
@@ -126,7 +126,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         100.0 * resumed.done,
         resumed.overlap,
         hours(resumed.seconds),
-        if known {
+        if has_manifest {
             "the job is unchanged: its hash is the one in manifest.json"
         } else {
             "no manifest.json beside the job: whether the job was changed after the build, and whether a clamp is in the way, \
@@ -139,19 +139,19 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "done": resumed.done,
         "overlap_mm": resumed.overlap,
         "remaining_s": resumed.seconds,
-        "named_in_manifest": known,
+        "named_in_manifest": has_manifest,
     });
     args.verbosity.report(&text, &json)
 }
 
 /// The sealing program beside the trace program `trace`, if there is one.
-fn sealing(trace: &Path) -> Option<PathBuf> {
+fn seal_file_beside(trace: &Path) -> Option<PathBuf> {
     let name = trace.file_name()?.to_string_lossy().replace("-trace.", "-seal.");
     Some(trace.with_file_name(name)).filter(|path| path != trace && path.is_file())
 }
 
 /// The default path of the program: beside the job, or for a job in a published directory, beside the directory.
-fn target(job: &Path, published: bool) -> PathBuf {
+fn default_target(job: &Path, published: bool) -> PathBuf {
     let stem = job.file_stem().unwrap_or_default().to_string_lossy();
     // Host software lists files by their ending, so the ending is kept.
     let ending = job.extension().map_or("gcode".into(), |ending| ending.to_string_lossy());
@@ -180,7 +180,7 @@ fn refuse_published(target: &Path) -> Result<(), Failure> {
 }
 
 /// Checks that the job equals, byte by byte, the file that the manifest beside it names.
-fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
+fn check_unchanged(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
     let read: Manifest = serde_json::from_str(&read_text(manifest, PROGRAM)?)
         .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;
     let name = job.file_name().unwrap_or_default().to_string_lossy();
@@ -196,7 +196,7 @@ fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> 
 
 /// Checks that `program`, the rest of `job`, meets no clamp of the profile beside the job: it goes to places between which the
 /// job itself does not travel.
-fn is_free(job: &Path, program: &str) -> Result<(), Failure> {
+fn check_clear_of_clamps(job: &Path, program: &str) -> Result<(), Failure> {
     let profile = read_source(&job.with_file_name(MACHINE))?;
     let clamps = spec::read_machine(&profile)?.bench.keep_out;
     let wrong = |fault: ResumeFault| Failure::Message(format!("{}: {fault}", shown(job)));

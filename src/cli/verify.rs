@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::answer::proof::{json, scope};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, say};
-use crate::cli::feedcheck::manifest_of;
+use crate::cli::feedcheck::manifest_path;
 use crate::cli::load::DRAWING_LIMIT;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
@@ -75,8 +75,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// Proves the program of a feed check from the manifest beside it.
 fn feed_check(path: &Path) -> Result<Proof, Failure> {
-    let manifest_path = manifest_of(path);
-    let manifest = read(&manifest_path, SOURCE_LIMIT).map_err(|_| {
+    let manifest_file = manifest_path(path);
+    let manifest = read(&manifest_file, SOURCE_LIMIT).map_err(|_| {
         let dir = directory_of(path);
         let name = if dir.join(MANIFEST).is_file() { format!(": {}", shown(dir)) } else { String::new() };
         Failure::Message(format!(

@@ -38,7 +38,12 @@ fn picture(program: &Program, band: f64, side: f64) -> Option<Picture> {
     let colour_of = |step: &Step| match step {
         Step::Seal(pieces) => Some((Path::open(pieces.clone()), SEALED)),
         Step::Trace(pieces) => Some((Path::open(pieces.clone()), TRACED)),
-        _ => None,
+        Step::Height(_)
+        | Step::Heat(_)
+        | Step::Travel(_)
+        | Step::Seam(_)
+        | Step::TouchDown(_)
+        | Step::Lift(_) => None,
     };
     let paths: Vec<(Path, Colour)> = program.steps.iter().filter_map(colour_of).collect();
     let bounds = paths.iter().map(|(path, _)| path.bounds()).fold(Bounds::EMPTY, Bounds::union);

@@ -108,7 +108,13 @@ fn program_of(spec: &Spec, machine: &Machine, published: Option<&str>) -> (Strin
     let steps = checks.iter().flat_map(|(_, program)| &program.steps);
     let lines = steps.filter_map(|step| match step {
         Step::Seal(pieces) => Some(Path::open(pieces.clone())),
-        _ => None,
+        Step::Height(_)
+        | Step::Heat(_)
+        | Step::Travel(_)
+        | Step::Seam(_)
+        | Step::TouchDown(_)
+        | Step::Lift(_)
+        | Step::Trace(_) => None,
     });
     let task = FeedCheckTask { spec, machine, lines: lines.collect() };
     let mut findings = Findings::default();

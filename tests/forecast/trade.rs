@@ -29,7 +29,7 @@ fn a_stored_shell_is_what_the_program_computes() {
     close(computed.final_radius_mm.expect("at rest"), stored.rest.value, 1e-3);
     close(errors.final_radius_mm, stored.rest.mesh_error, 0.02);
     close(computed.radial_stiffness_N_per_m.expect("at rest"), stored.stiffness.value, 1e-3);
-    close(computed.force_curve.as_ref().expect("requested")[0].1.expect("it presses"), force.value, 5e-3);
+    close(computed.force_curve.as_ref().expect("requested")[0].force.expect("it presses"), force.value, 5e-3);
     assert_eq!(
         computed.evidence.unknowns.as_ref().and_then(|meshes| meshes.last().copied()),
         usize::try_from(stored.unknowns).ok()

@@ -4,7 +4,7 @@ use crate::placement::SheetLayout;
 use crate::{DrawnPieces, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
 use geom::Point;
 use sealed::PlacedPiece;
-use spec::{Machine, Spec};
+use spec::{Machine, ProductKind, Spec};
 
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,12 +32,16 @@ impl Design {
     /// # Errors
     /// Every reason for which a piece cannot be made or does not fit on a sheet.
     pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
-        if let Some(drawing) = &spec.drawing {
-            let (pieces, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
-            return Ok(Self { product: Product::Drawing(Box::new(pieces)), sheets, warnings });
+        match (spec.product(), &spec.drawing) {
+            (ProductKind::Drawing, Some(drawing)) => {
+                let (pieces, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
+                Ok(Self { product: Product::Drawing(Box::new(pieces)), sheets, warnings })
+            }
+            (ProductKind::Stars, _) | (ProductKind::Drawing, None) => {
+                let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
+                Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
+            }
         }
-        let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
-        Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
     }
 
     /// The stars with stack and frame; `None` for another product.

@@ -146,7 +146,7 @@ pub fn add_curve(
         let stars = predict(&spec_around, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
-            curve.push(ForceAt(radius.0, star.object_force_N, low, high));
+            curve.push(ForceAt { radius: radius.0, force: star.object_force_N, low, high });
         }
     }
     for (star, curve) in prediction.stars.iter_mut().zip(curves) {

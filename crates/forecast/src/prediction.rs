@@ -25,7 +25,7 @@ pub struct StackPayload {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Prediction {
-    /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
+    /// Star 1, `mass_g` included; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
     pub first: StarPrediction,
     /// Whether the object is held; needs object_diameter and a pressure.
@@ -293,16 +293,16 @@ keyed! {
     }
 }
 
-/// The values that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
-pub fn distinct<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
-    let mut distinct: Vec<(T, Vec<usize>)> = Vec::new();
-    for (number, one) in (1..).zip(values) {
-        match distinct.iter_mut().find(|(other, _)| *other == one) {
+/// Groups of equal values of `values`: each value once, with the numbers of those that equal it, from 1; of stars the bottom one.
+pub fn groups_of_equals<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
+    let mut groups: Vec<(T, Vec<usize>)> = Vec::new();
+    for (number, value) in (1..).zip(values) {
+        match groups.iter_mut().find(|(member, _)| *member == value) {
             Some((_, numbers)) => numbers.push(number),
-            None => distinct.push((one, vec![number])),
+            None => groups.push((value, vec![number])),
         }
     }
-    distinct
+    groups
 }
 
 kinds! {
@@ -333,11 +333,26 @@ impl FabricStretch {
     }
 }
 
-/// A radius, mm, the radial force there, N, and the ends of its range; `None` if unknown.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
+/// The radial force on an object, a row of four numbers in JSON.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceAt {
+    /// Radius of the object, mm.
+    pub radius: f64,
+    /// The force, N; `None` if unknown.
+    pub force: Option<f64>,
+    /// Lower end of the force's range, N; `None` if unknown.
+    pub low: Option<f64>,
+    /// Upper end of the force's range, N; `None` if unknown.
+    pub high: Option<f64>,
+}
 
-/// The star with the model's own volume function V_bar, whose hinges are asymmetric, in place of a linear one.
+impl Serialize for ForceAt {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        (self.radius, self.force, self.low, self.high).serialize(serializer)
+    }
+}
+
+/// The star whose hinges have the model's own volume V_bar = V / (W^3 alpha_0) as their potential, in place of a linear moment.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Nonlinear {

@@ -2,7 +2,7 @@
 
 use crate::interval::{Interval, scaled};
 use crate::outcome::Grip;
-use crate::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, distinct};
+use crate::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, groups_of_equals};
 use crate::pressures::PressureRow;
 use crate::ranges::shown::{self, line, listed};
 use crate::shell::SHELL;
@@ -30,9 +30,9 @@ pub fn text(spec: &Spec, prediction: &Prediction, is_full: bool) -> String {
     // with its reasons.
     let mut page = format!("{}\n", spec.name);
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
-    let distinct_stars = distinct(&prediction.stars);
-    for (star, numbers) in &distinct_stars {
-        let _ = match (distinct_stars.len(), &numbers[..]) {
+    let groups = groups_of_equals(&prediction.stars);
+    for (star, numbers) in &groups {
+        let _ = match (groups.len(), &numbers[..]) {
             (1, [_]) => Ok(()),
             (1, all) => writeln!(page, "\n{} equal stars, each:", all.len()),
             (_, [number]) => writeln!(page, "\nstar {number}:"),
@@ -163,7 +163,7 @@ fn seal_lines(page: &mut String, star: &StarPrediction, pressure: Option<f64>) {
 
 /// The forces on the objects of the requested radii.
 fn force_lines(page: &mut String, star: &StarPrediction, is_limit: bool) {
-    for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
+    for ForceAt { radius, force, low, high } in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
         let text = match (*force, range) {

@@ -8,7 +8,7 @@ use crate::load_check::{
 use crate::outcome::Grip;
 use crate::prediction::StackPayload;
 pub use crate::prediction::{Holds, Verdict};
-use crate::prediction::{Prediction, StarPrediction, distinct};
+use crate::prediction::{Prediction, StarPrediction, groups_of_equals};
 use crate::ranges::shown::{apart, listed};
 use design::{Object, Refusal, RefusalCode, Stand};
 use inflatable::mechanics::strength::GRAVITY;
@@ -137,14 +137,14 @@ impl VerdictLines {
     fn of(spec: &Spec, load: &Load, prediction: &Prediction) -> Self {
         let stars = &prediction.stars[..];
         // Equal stars are judged together.
-        let distinct = distinct(stars);
-        let several = distinct.len() > 1;
+        let groups = groups_of_equals(stars);
+        let several = groups.len() > 1;
         let lets_in = |star: &StarPrediction| {
             load.object_radius.is_some_and(|widest| widest.0 <= star.hole_radius_mm + ROUNDING)
         };
         let enters = [stars.first(), stars.last()].into_iter().flatten().any(lets_in);
         let mut judged = Self { stars: if several { stars.len() } else { 1 }, enters, ..Self::default() };
-        for (star, numbers) in distinct {
+        for (star, numbers) in groups {
             judged.star(spec, load, (numbers[0], star), if several { &numbers } else { &[] });
         }
         if load.object_radius.is_some() && !judged.is_refuted() {

@@ -2,6 +2,7 @@
 
 use crate::FaultCode;
 use crate::fault::Fault;
+use crate::model::ProductKind;
 use crate::value::RawTable;
 
 /// The TOML files that this program reads.
@@ -18,9 +19,7 @@ impl Document {
     /// The name of the kind in messages, keys of the first level that no other kind has, and the remedy in messages.
     const fn words(self) -> (&'static str, &'static [&'static str], &'static str) {
         match self {
-            Self::Spec => {
-                ("a spec", &["star", "drawing", "stack", "seal"], "name it as the spec of a command")
-            }
+            Self::Spec => ("a spec", &["stack", "seal"], "name it as the spec of a command"),
             Self::Profile => (
                 "a machine profile",
                 &["dialect", "work_area", "heights", "motion"],
@@ -33,7 +32,10 @@ impl Document {
 
     /// One fault if `root` is plainly another kind of file than this one.
     pub(super) fn mistaken(self, root: &RawTable) -> Option<Fault> {
-        let is = |document: Self| document.words().1.iter().any(|key| root.get(key).is_some());
+        let is = |document: Self| {
+            let products: &[&str] = if document == Self::Spec { &ProductKind::WORDS } else { &[] };
+            document.words().1.iter().chain(products).any(|key| root.get(key).is_some())
+        };
         let other_kinds = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
         let other = other_kinds
             .into_iter()

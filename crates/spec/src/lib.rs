@@ -63,7 +63,7 @@ pub use machine::{
 pub use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    MaskKind, ObjectShape, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    MaskKind, ObjectShape, ProductKind, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};

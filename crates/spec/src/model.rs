@@ -113,10 +113,29 @@ pub struct StarSpec {
     pub inlet_tip: u32,
 }
 
+crate::choices! {
+    /// The product of a spec.
+    ProductKind,
+    /// The section that describes the product.
+    section;
+    /// A gripper of stars.
+    Stars: "star",
+    /// Pieces by a person's own drawing.
+    Drawing: "drawing",
+}
+
 impl Spec {
-    /// Whether it is a gripper of stars; else it is a piece by a drawing.
+    /// The product that it describes.
+    pub fn product(&self) -> ProductKind {
+        if self.drawing.is_some() { ProductKind::Drawing } else { ProductKind::Stars }
+    }
+
+    /// Whether it is a gripper of stars.
     pub fn has_stars(&self) -> bool {
-        self.drawing.is_none()
+        match self.product() {
+            ProductKind::Stars => true,
+            ProductKind::Drawing => false,
+        }
     }
 }
 

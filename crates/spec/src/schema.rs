@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use crate::builtin_machine;
+use crate::model::ProductKind;
 use crate::profile::read_profile;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;
@@ -24,7 +25,7 @@ pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 /// The section whose keys are those of a list of sections.
 const LIST: &str = "stack.star";
 /// The products: a spec has one of these sections.
-const EITHER: [&str; 2] = ["star", "drawing"];
+const EITHER: [&str; ProductKind::WORDS.len()] = ProductKind::WORDS;
 /// The profile's list, which is in no section.
 const CLAMPS: &str = "keep_out";
 

@@ -1,7 +1,7 @@
 //! The pull on the seams of a drawn chamber.
 
 use crate::meshed::MeshedPlace;
-use crate::prediction::distinct;
+use crate::prediction::groups_of_equals;
 use design::DrawnPieces;
 use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull};
@@ -28,7 +28,7 @@ const MOST_ROWS: usize = 48;
 ///
 /// The shell knows edges and welds of the region only. A pull belongs to the seam whose centre line is nearest to its place.
 pub(super) fn seam_predictions(region: &InflatedRegion, pieces: &DrawnPieces) -> Vec<SeamPrediction> {
-    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, pieces)));
+    let names = groups_of_equals(region.seams.iter().map(|pull| seam_name(pull, pieces)));
     let of_name = names.into_iter().filter_map(|(name, numbers)| {
         let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
         of_seam(name, &pulls, region.is_parted)

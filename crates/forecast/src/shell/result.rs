@@ -42,7 +42,7 @@ pub fn star_text(page: &mut String, star: &StarPrediction, is_full: bool) {
     let rubbing = rubbing.map(|[least, most]| format!("{least} to {most} N"));
     line(page, "the same if corners rub on it", rubbing);
     let forces = star.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten());
-    for (ForceAt(radius, force, ..), error) in forces {
+    for (ForceAt { radius, force, .. }, error) in forces {
         line(page, &format!("force at {} mm", Readable(*radius)), show(*force, "N", *error));
     }
     let pull = star.seal_pull_N_per_mm.zip(star.seal_pull_at_mm);

@@ -131,7 +131,15 @@ impl ShellRun {
                 .and_then(|object| measured.force_at(object + case.flap()))
                 .map(|force| force.value),
             force_curve: (!radii.is_empty()).then(|| {
-                curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
+                curve
+                    .iter()
+                    .map(|(radius, force)| ForceAt {
+                        radius: *radius,
+                        force: Some(force.value),
+                        low: None,
+                        high: None,
+                    })
+                    .collect()
             }),
             seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull.value),
             seal_pull_at_mm: Some(extremes.pull_at.map(mm)),

@@ -6,7 +6,7 @@
 
 use crate::candidate::Candidate;
 use crate::load_check::COATED;
-use crate::sizing::easing::{Easing, Finder};
+use crate::sizing::easing::{Finder, Requirement};
 use crate::sizing::{Choice, MOST_STARS, Requirements, feasible, no_tube};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::strength::GRAVITY;
@@ -32,19 +32,22 @@ pub struct NearestRequirements {
 
 /// Requirements that exclude each other.
 struct Conflict {
-    limits: Vec<Easing>,
-    /// These requirements alone.
-    core: Requirements,
+    members: Vec<Requirement>,
+    /// The members alone: every other requirement is given up.
+    only_these: Requirements,
     /// All requirements but those of other conflicts.
-    context: Requirements,
+    without_other_conflicts: Requirements,
 }
 
 /// The order in which requirements are given up: of two that would both do, the first is not part of the conflict.
-const LIMITS: [Easing; 5] = [Easing::Machine, Easing::Sheet, Easing::Pressure, Easing::Force, Easing::Mass];
+const LIMITS: [Requirement; 5] =
+    [Requirement::Machine, Requirement::Sheet, Requirement::Pressure, Requirement::Force, Requirement::Mass];
 /// The order in which a conflict is described: the first of its requirements is missed under the conditions of the others.
-const SUBJECTS: [Easing; 5] = [Easing::Mass, Easing::Force, Easing::Sheet, Easing::Machine, Easing::Pressure];
+const SUBJECTS: [Requirement; 5] =
+    [Requirement::Mass, Requirement::Force, Requirement::Sheet, Requirement::Machine, Requirement::Pressure];
 /// The order in which ways out are offered.
-const OFFERS: [Easing; 5] = [Easing::Friction, Easing::Pressure, Easing::Sheet, Easing::Force, Easing::Mass];
+const OFFERS: [Requirement; 5] =
+    [Requirement::Friction, Requirement::Pressure, Requirement::Sheet, Requirement::Force, Requirement::Mass];
 /// Most combinations of ways out of several conflicts that are tried.
 const COMBINATIONS: usize = 4;
 /// A requirement is named as a condition if a way out without it differs by this much, as a logarithm: more than searches differ.
@@ -72,27 +75,28 @@ impl Finder<'_> {
     /// The reasons why no gripper meets `required`, and the requests near it that can be met.
     fn infeasible(&self, required: &Requirements) -> Infeasible {
         let conflicts = self.conflicts(required);
-        let mut infeasible = self.explained(required, &conflicts);
+        let mut infeasible = self.explain(required, &conflicts);
         infeasible.reasons.extend(too_gentle(required));
         infeasible
     }
 
     /// The reasons by the `conflicts` of `required`, and the ways out of them.
-    fn explained(&self, required: &Requirements, conflicts: &[Conflict]) -> Infeasible {
+    fn explain(&self, required: &Requirements, conflicts: &[Conflict]) -> Infeasible {
         match conflicts {
-            [] => self.of_another_size(required),
+            [] => self.refuse_size(required),
             [conflict] => {
                 let ways = self.ways_out(conflict);
                 let subject = conflict.subject();
                 let way = ways.iter().find(|(easing, _)| Some(*easing) == subject).map(|(_, way)| way);
-                let tightening = way.map_or_else(Vec::new, |way| self.tightening(conflict, way));
-                let reasons = conflict.reasons(way, &tightening);
-                let offered = ways.into_iter().filter(|(easing, _)| *easing != Easing::Machine);
+                let aggravating =
+                    way.map_or_else(Vec::new, |way| self.aggravating_requirements(conflict, way));
+                let reasons = conflict.reasons(way, &aggravating);
+                let offered = ways.into_iter().filter(|(easing, _)| *easing != Requirement::Machine);
                 Infeasible { reasons, nearest: offered.map(|(_, nearest)| nearest).collect() }
             }
             several => {
                 let reason = |conflict: &Conflict| {
-                    let limit = self.eased(&conflict.core, conflict.subject().as_slice());
+                    let limit = self.eased(&conflict.only_these, conflict.subject().as_slice());
                     conflict.reasons(limit.as_ref(), &[])
                 };
                 let reasons = several.iter().flat_map(reason).collect();
@@ -110,50 +114,53 @@ impl Finder<'_> {
         let mut conflicts: Vec<Conflict> = Vec::new();
         let mut rest = *required;
         loop {
-            let mut context = rest;
-            let mut limits = Vec::new();
+            let mut only_these = rest;
+            let mut members = Vec::new();
             for limit in LIMITS.into_iter().filter(|limit| limit.applies(&rest)) {
-                let Some(loosened) = limit.given_up(&context) else { continue };
+                let Some(loosened) = limit.given_up(&only_these) else { continue };
                 if self.grippers(&loosened).is_some() {
-                    limits.push(limit);
+                    members.push(limit);
                 } else {
-                    context = loosened;
+                    only_these = loosened;
                 }
             }
-            if limits.is_empty() {
+            if members.is_empty() {
                 return conflicts;
             }
-            rest = limits.iter().fold(rest, |rest, limit| limit.given_up(&rest).unwrap_or(rest));
-            conflicts.push(Conflict { limits, core: context, context: rest });
+            rest = members.iter().fold(rest, |rest, limit| limit.given_up(&rest).unwrap_or(rest));
+            conflicts.push(Conflict { members, only_these, without_other_conflicts: rest });
             if self.grippers(&rest).is_some() {
                 break;
             }
         }
         for k in 0..conflicts.len() {
             let rivals = conflicts.iter().enumerate().filter(|(other, _)| *other != k);
-            let limits: Vec<Easing> = rivals.flat_map(|(_, other)| other.limits.clone()).collect();
-            let context = limits.iter().try_fold(*required, |context, limit| limit.given_up(&context));
-            conflicts[k].context = context.unwrap_or(*required);
+            let rivals_members: Vec<Requirement> =
+                rivals.flat_map(|(_, other)| other.members.clone()).collect();
+            let without_rivals =
+                rivals_members.iter().try_fold(*required, |loosened, kind| kind.given_up(&loosened));
+            conflicts[k].without_other_conflicts = without_rivals.unwrap_or(*required);
         }
         conflicts
     }
 
     /// The ways out of the only `conflict`: each of its requirements eased alone, and more friction in place of less mass.
-    fn ways_out(&self, conflict: &Conflict) -> Vec<(Easing, NearestRequirements)> {
+    fn ways_out(&self, conflict: &Conflict) -> Vec<(Requirement, NearestRequirements)> {
         let ways =
-            OFFERS.into_iter().chain([Easing::Machine]).filter(|easing| conflict.is_solved_by(*easing));
-        ways.filter_map(|easing| Some((easing, self.eased(&conflict.context, &[easing])?))).collect()
+            OFFERS.into_iter().chain([Requirement::Machine]).filter(|easing| conflict.is_solved_by(*easing));
+        ways.filter_map(|easing| Some((easing, self.eased(&conflict.without_other_conflicts, &[easing])?)))
+            .collect()
     }
 
     /// The requirements that do not belong to `conflict` and make `way`, in which its subject is eased alone, worse.
-    fn tightening(&self, conflict: &Conflict, way: &NearestRequirements) -> Vec<Easing> {
+    fn aggravating_requirements(&self, conflict: &Conflict, way: &NearestRequirements) -> Vec<Requirement> {
         let Some(subject) = conflict.subject() else { return Vec::new() };
         let granted = subject.value(&way.requirements);
-        let candidates = LIMITS.into_iter().filter(|limit| !conflict.limits.contains(limit));
+        let candidates = LIMITS.into_iter().filter(|limit| !conflict.members.contains(limit));
         candidates
-            .filter(|limit| limit.applies(&conflict.context))
+            .filter(|limit| limit.applies(&conflict.without_other_conflicts))
             .filter(|limit| {
-                let rest = limit.given_up(&conflict.context);
+                let rest = limit.given_up(&conflict.without_other_conflicts);
                 let looser = rest.and_then(|rest| self.eased(&rest, &[subject]));
                 let ratio = looser.map_or(1.0, |looser| subject.value(&looser.requirements) / granted);
                 libm::fabs(libm::log(ratio)) > NOTICED
@@ -162,11 +169,11 @@ impl Finder<'_> {
     }
 
     /// The refusal of an object of a size for which no gripper is known: the nearest size with one, and the request for it if it is near.
-    fn of_another_size(&self, required: &Requirements) -> Infeasible {
+    fn refuse_size(&self, required: &Requirements) -> Infeasible {
         let width = required.width_in_words();
         let bare =
             LIMITS.iter().try_fold(*required, |bare, limit| limit.given_up(&bare)).unwrap_or(*required);
-        let Some(sized) = self.eased(&bare, &[Easing::Size]) else {
+        let Some(sized) = self.eased(&bare, &[Requirement::Size]) else {
             let reason = "no tube of this fabric was computed as a shell with an object: another fabric";
             return Infeasible { reasons: vec![reason.to_owned()], nearest: Vec::new() };
         };
@@ -178,16 +185,17 @@ impl Finder<'_> {
             sized.requirements.width_in_words()
         )];
         let is_near = (NEAR_SIZE..=1.0 / NEAR_SIZE).contains(&ratio);
-        let nearest = is_near.then(|| self.grippers(&Easing::Size.with(required, object.0))).flatten();
+        let nearest = is_near.then(|| self.grippers(&Requirement::Size.with(required, object.0))).flatten();
         Infeasible { reasons, nearest: nearest.into_iter().collect() }
     }
 }
 
 /// The ways out of several conflicts: one of each, those first that are offered first.
-fn combinations(conflicts: &[Conflict]) -> impl Iterator<Item = Vec<Easing>> {
-    let mut lists: Vec<Vec<Easing>> = vec![Vec::new()];
+fn combinations(conflicts: &[Conflict]) -> impl Iterator<Item = Vec<Requirement>> {
+    let mut lists: Vec<Vec<Requirement>> = vec![Vec::new()];
     for conflict in conflicts {
-        let ways: Vec<Easing> = OFFERS.into_iter().filter(|easing| conflict.is_solved_by(*easing)).collect();
+        let ways: Vec<Requirement> =
+            OFFERS.into_iter().filter(|easing| conflict.is_solved_by(*easing)).collect();
         lists = lists
             .iter()
             .flat_map(|begun| ways.iter().map(move |way| [begun.as_slice(), &[*way]].concat()))
@@ -198,34 +206,37 @@ fn combinations(conflicts: &[Conflict]) -> impl Iterator<Item = Vec<Easing>> {
 
 impl Conflict {
     /// Whether `easing` eases one of its requirements.
-    fn is_solved_by(&self, easing: Easing) -> bool {
+    fn is_solved_by(&self, easing: Requirement) -> bool {
         match easing {
-            Easing::Friction => self.limits.contains(&Easing::Mass) && easing.applies(&self.context),
-            Easing::Pressure
-            | Easing::Sheet
-            | Easing::Force
-            | Easing::Mass
-            | Easing::Machine
-            | Easing::Size => self.limits.contains(&easing),
+            Requirement::Friction => {
+                self.members.contains(&Requirement::Mass) && easing.applies(&self.without_other_conflicts)
+            }
+            Requirement::Pressure
+            | Requirement::Sheet
+            | Requirement::Force
+            | Requirement::Mass
+            | Requirement::Machine
+            | Requirement::Size => self.members.contains(&easing),
         }
     }
 
     /// The requirement that is missed under the conditions of the others.
-    fn subject(&self) -> Option<Easing> {
-        SUBJECTS.into_iter().find(|subject| self.limits.contains(subject))
+    fn subject(&self) -> Option<Requirement> {
+        SUBJECTS.into_iter().find(|subject| self.members.contains(subject))
     }
 
-    /// What is missed, and by how much: `limit` is the nearest request with its subject eased alone. `tightening` has the requirements that do
+    /// What is missed, and by how much: `limit` is the nearest request with its subject eased alone. `aggravating` has the requirements that do
     /// not belong to the conflict and make this limit lower.
-    fn reasons(&self, limit: Option<&NearestRequirements>, tightening: &[Easing]) -> Vec<String> {
+    fn reasons(&self, limit: Option<&NearestRequirements>, aggravating: &[Requirement]) -> Vec<String> {
         let Some(subject) = self.subject() else { return Vec::new() };
-        let required = &self.context;
+        let required = &self.without_other_conflicts;
         let companions = SUBJECTS.into_iter().filter(|other| *other != subject);
-        let companions = companions.filter(|other| self.limits.contains(other) || tightening.contains(other));
+        let companions =
+            companions.filter(|other| self.members.contains(other) || aggravating.contains(other));
         let conditions: String = companions.filter_map(|other| other.condition(required)).collect();
         let eased = limit.map(|nearest| &nearest.requirements);
         let mut reasons = vec![subject.shortfall(required, eased) + &conditions];
-        if subject == Easing::Mass && required.height.is_none() && required.shape.is_none() {
+        if subject == Requirement::Mass && required.height.is_none() && required.shape.is_none() {
             let reason =
                 "the object is taken to be a ball: give its height, and the shape cylinder, if it is not";
             reasons.push(reason.to_owned());
@@ -252,7 +263,7 @@ fn three_digits(value: f64) -> f64 {
     (value / step).round() * step
 }
 
-impl Easing {
+impl Requirement {
     /// The requirement as a condition of another one: " at 20 kPa".
     fn condition(self, required: &Requirements) -> Option<String> {
         match self {
@@ -358,7 +369,7 @@ impl Easing {
 impl NearestRequirements {
     /// The changes from the requirements `required`, in words.
     pub fn changes(&self, required: &Requirements) -> String {
-        let easings = OFFERS.into_iter().chain([Easing::Size]);
+        let easings = OFFERS.into_iter().chain([Requirement::Size]);
         let changes = easings.filter_map(|easing| easing.change(required, &self.requirements));
         changes.collect::<Vec<_>>().join(" and ")
     }

@@ -12,7 +12,7 @@ use spec::units::{Force, Length, Mass, Pressure, factor};
 
 /// A requirement that can be eased.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Easing {
+pub enum Requirement {
     /// More friction between the corners and the object.
     Friction,
     /// Another pressure.
@@ -56,17 +56,23 @@ impl Finder<'_> {
         (!choices.is_empty()).then_some(NearestRequirements { requirements: *requirements, choices })
     }
 
-    /// `required`, eased by each of `easings` as little as is enough; `None` if no gripper is found without them.
+    /// `required`, with each of `requirements` eased as little as is enough; `None` if no gripper is found without them.
     ///
     /// All are given up at once, then tightened again one after the other.
-    pub(super) fn eased(&self, required: &Requirements, easings: &[Easing]) -> Option<NearestRequirements> {
-        let loosest = easings.iter().try_fold(*required, |eased, easing| easing.given_up(&eased))?;
-        let mut nearest = match easings {
-            [Easing::Size] => self.of_a_usual_size(&loosest)?,
+    pub(super) fn eased(
+        &self,
+        required: &Requirements,
+        requirements: &[Requirement],
+    ) -> Option<NearestRequirements> {
+        let loosest = requirements
+            .iter()
+            .try_fold(*required, |loosened, requirement| requirement.given_up(&loosened))?;
+        let mut nearest = match requirements {
+            [Requirement::Size] => self.of_a_usual_size(&loosest)?,
             _ => self.grippers(&loosest)?,
         };
-        for easing in easings {
-            nearest = self.tightened(required, *easing, nearest);
+        for requirement in requirements {
+            nearest = self.tightened(required, *requirement, nearest);
         }
         // A side of the sheet that was long enough stays.
         let (sheet, needed_sheet) = (required.room.sheet, &mut nearest.requirements.room.sheet);
@@ -79,11 +85,16 @@ impl Finder<'_> {
         let distance = |size: &f64| libm::fabs(libm::log(0.5 * size / required.object.0));
         let mut sizes = SIZES;
         sizes.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        sizes.into_iter().find_map(|size| self.grippers(&Easing::Size.with(required, 0.5 * size)))
+        sizes.into_iter().find_map(|size| self.grippers(&Requirement::Size.with(required, 0.5 * size)))
     }
 
     /// The grippers that meet `loose` with the first of the values `start`, twice as much, and so on that is granted.
-    fn first_granted(&self, easing: Easing, loose: &Requirements, start: f64) -> Option<NearestRequirements> {
+    fn first_granted(
+        &self,
+        easing: Requirement,
+        loose: &Requirements,
+        start: f64,
+    ) -> Option<NearestRequirements> {
         (0..=DOUBLINGS).find_map(|doublings| {
             let value = easing.rounded(loose, start * 2.0_f64.powi(doublings), f64::INFINITY);
             self.grippers(&easing.with(loose, value))
@@ -94,7 +105,7 @@ impl Finder<'_> {
     fn tightened(
         &self,
         required: &Requirements,
-        easing: Easing,
+        easing: Requirement,
         loose: NearestRequirements,
     ) -> NearestRequirements {
         let mut nearest = if easing.value(&loose.requirements).is_finite() {
@@ -130,7 +141,7 @@ impl Finder<'_> {
     }
 }
 
-impl Easing {
+impl Requirement {
     /// The requirement is one that `required` has, and can be given up.
     pub(super) fn applies(self, required: &Requirements) -> bool {
         self.given_up(required).is_some_and(|eased| eased != *required)

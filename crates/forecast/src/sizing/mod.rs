@@ -9,7 +9,7 @@ mod easing;
 mod text;
 
 pub use self::conflict::{Infeasible, NearestRequirements, choose};
-pub use self::easing::Easing;
+pub use self::easing::Requirement;
 pub use self::text::{is_result, spec_text};
 
 use crate::candidate::Candidate;

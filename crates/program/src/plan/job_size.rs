@@ -11,7 +11,7 @@ use design::{Design, Refusal, RefusalCode};
 use geom::Segment;
 use sealed::{PlacedPiece, laid_seams};
 use spec::units::Readable;
-use spec::{Machine, Spec, key};
+use spec::{Machine, ProductKind, Spec, key};
 
 /// Most moves in contact of all programs together: 40 times those of three large stars, chopped.
 const MOST_MOVES: f64 = 2e6;
@@ -25,8 +25,10 @@ pub fn too_many_moves(spec: &Spec, machine: &Machine, design: &Design) -> Option
         return None;
     }
     let fault = format!("the job has {total:.0} moves in contact");
-    let (key, pieces) =
-        if spec.has_stars() { (key::stack::COUNT, "stars") } else { (key::sheet::COPIES, "pieces") };
+    let (key, pieces) = match spec.product() {
+        ProductKind::Stars => (key::stack::COUNT, "stars"),
+        ProductKind::Drawing => (key::sheet::COPIES, "pieces"),
+    };
     let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller {pieces} at a time");
     Some(Refusal::new(key, RefusalCode::JobTooLarge, fault, remedy))
 }
@@ -72,7 +74,10 @@ pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
         return None;
     }
     let fault = format!("a program takes {:.0} h", longest.time / 3600.0);
-    let piece = if spec.has_stars() { "star" } else { "piece" };
+    let piece = match spec.product() {
+        ProductKind::Stars => "star",
+        ProductKind::Drawing => "piece",
+    };
     let speeds: Option<Vec<f64>> =
         programs.iter().map(|program| fast_enough(spec.seal.speed.0, program)).collect();
     let faster = speeds.map_or_else(String::new, |speeds| {

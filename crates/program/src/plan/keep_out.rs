@@ -1,7 +1,7 @@
 //! Clamps: places that the iron must not enter.
 
-use crate::plan::lowest_feed::contact;
-use crate::plan::{Program, Purpose, Ramp, Step};
+use crate::plan::lowest_feed::contact as contact_pieces;
+use crate::plan::{Program, Purpose, Step};
 use design::{Refusal, RefusalCode};
 use geom::{Bounds, BoxIndex, Line, Point, Segment, Vec2, box_distance};
 use sealed::PieceName;
@@ -15,14 +15,14 @@ pub fn clamp_bounds(clamp: &KeepOut) -> Bounds {
 
 /// A way of the iron, and how near to it no clamp may be.
 struct Way<'a> {
-    what: &'static str,
+    subject: &'static str,
     program: &'a Program,
     piece: Segment,
     /// The piece's box, grown by the reach.
-    near: Bounds,
+    reach_box: Bounds,
     reach: f64,
     /// Whether the iron is down, so that it cannot pass above a clamp.
-    low: bool,
+    is_down: bool,
 }
 
 /// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
@@ -38,38 +38,39 @@ pub(super) fn clamps_in_the_way(
     }
     let reach = spec.seal.band.0 / 2.0;
     let ways: Vec<Way<'_>> = seals.iter().chain(traces).flat_map(|program| ways(program, reach)).collect();
-    let index = BoxIndex::new(ways.iter().map(|way| way.near));
-    let refusal = |zone: &KeepOut| {
-        let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
-        let place = clamp_bounds(zone);
+    let index = BoxIndex::new(ways.iter().map(|way| way.reach_box));
+    let refusal = |clamp: &KeepOut| {
+        let is_below_travel = clamp.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
+        let place = clamp_bounds(clamp);
         let candidates = index.overlapping(&place);
         let mut collisions = candidates
             .into_iter()
             .map(|number| &ways[number])
-            .filter(|way| (way.low || !passes) && box_distance(&place, &way.piece) <= way.reach);
+            .filter(|way| (way.is_down || !is_below_travel) && box_distance(&place, &way.piece) <= way.reach);
         let first = collisions.next()?;
         // A way with the iron down meets the clamp whatever its height.
-        let collision = if first.low { first } else { collisions.find(|way| way.low).unwrap_or(first) };
+        let collision =
+            if first.is_down { first } else { collisions.find(|way| way.is_down).unwrap_or(first) };
         let piece = listed(&collision.program.pieces);
         let travel = machine.process.heights.travel;
-        let lower = match zone.height {
-            _ if collision.low => String::new(),
+        let height_remedy = match clamp.height {
+            _ if collision.is_down => String::new(),
             None => format!("; give its height, if it is below the travel height of {travel}"),
             Some(height) if machine.process.heights.park <= height => {
                 format!("; or raise the travel height above {height}, and the park height above that")
             }
             Some(height) => format!("; or raise the travel height above {height}"),
         };
-        let other = if collision.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
-        let contact = collision.piece.point(collision.piece.nearest_fraction(place.center()));
+        let sheet_remedy = if collision.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
+        let meeting_point = collision.piece.point(collision.piece.nearest_fraction(place.center()));
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
             format!(
                 "{} of {piece} meets the clamp {:?} at X {:.1} Y {:.1} mm",
-                collision.what, zone.name, contact.x, contact.y
+                collision.subject, clamp.name, meeting_point.x, meeting_point.y
             ),
-            format!("move the clamp{lower}{other}"),
+            format!("move the clamp{height_remedy}{sheet_remedy}"),
         ))
     };
     machine.bench.keep_out.iter().filter_map(refusal).collect()
@@ -88,15 +89,15 @@ fn listed(pieces: &[PieceName]) -> String {
 
 /// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
-    let way = |what, piece: Segment, reach: f64, low| {
-        let zone = piece.bounds().grown(reach);
-        Way { what, program, piece, near: zone, reach, low }
+    let way = |subject, piece: Segment, reach: f64, is_down| {
+        let reach_box = piece.bounds().grown(reach);
+        Way { subject, program, piece, reach_box, reach, is_down }
     };
     let followed = |piece: &Segment| match program.purpose {
         Purpose::Seal => way("the seal", *piece, reach, true),
         Purpose::Trace => way("the trace", *piece, 0.0, false),
     };
-    let mut ways: Vec<Way<'_>> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
+    let mut ways: Vec<Way<'_>> = contact_pieces(&program.steps).map(|(piece, _)| followed(piece)).collect();
     let mut position = Point::ORIGIN;
     for step in &program.steps {
         match step {
@@ -105,15 +106,15 @@ fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
                 let line = Line::new(position, *to).into();
                 ways.push(way("the way to or from a seam", line, reach, false));
             }
-            _ => {}
+            Step::Height(_)
+            | Step::Heat(_)
+            | Step::Travel(_)
+            | Step::Seam(_)
+            | Step::TouchDown(_)
+            | Step::Seal(_)
+            | Step::Lift(_) => {}
         }
-        position = match step {
-            Step::Travel(to) => *to,
-            Step::Lift(Ramp { pieces, .. }) | Step::Trace(pieces) | Step::Seal(pieces) => {
-                pieces.last().map_or(position, Segment::end)
-            }
-            _ => position,
-        };
+        position = step.end().unwrap_or(position);
     }
     ways
 }

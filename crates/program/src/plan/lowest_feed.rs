@@ -7,7 +7,7 @@ use crate::plan::{Chop, Pace, Program, Step};
 use design::{Refusal, RefusalCode};
 use geom::Segment;
 use spec::units::{Least, Most, Speed};
-use spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
+use spec::{FeedFloor, Machine, Motion, ProductKind, Spec, StepRate, key};
 
 /// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
 ///
@@ -207,10 +207,9 @@ fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> 
     }
     let (rest, overdue) = (chop.rest, program.overdue);
     let (key, fault, remedy) = if chop.least > 0.0 {
-        let (key, rounder) = if spec.drawing.is_some() {
-            (key::drawing::FILE, "round the drawn corners")
-        } else {
-            (key::star::CORNER_RADIUS, "make the arms longer, round tips and corners")
+        let (key, rounder) = match spec.product() {
+            ProductKind::Stars => (key::star::CORNER_RADIUS, "make the arms longer, round tips and corners"),
+            ProductKind::Drawing => (key::drawing::FILE, "round the drawn corners"),
         };
         (
             key,
@@ -295,12 +294,8 @@ pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segme
 
 /// The pieces travelled below travel height, each with the change of height along it.
 pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
-    steps.iter().flat_map(|step| {
-        let (pieces, rise): (&[Segment], f64) = match step {
-            Step::TouchDown(ramp) | Step::Lift(ramp) => (&ramp.pieces, ramp.to - ramp.from),
-            Step::Seal(pieces) => (pieces, 0.0),
-            _ => (&[], 0.0),
-        };
+    steps.iter().filter(|step| step.is_contact()).flat_map(|step| {
+        let (pieces, rise) = (step.pieces(), step.ramp().map_or(0.0, |ramp| ramp.to - ramp.from));
         let flat: f64 = pieces.iter().map(Segment::length).sum();
         pieces.iter().map(move |piece| (piece, rise * piece.length() / flat))
     })

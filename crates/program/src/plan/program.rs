@@ -56,6 +56,43 @@ pub enum Step {
     Trace(Vec<Segment>),
 }
 
+impl Step {
+    /// The path along which the step moves, in pieces; empty where it moves straight up or down, in a straight line, or not at all.
+    pub fn pieces(&self) -> &[Segment] {
+        match self {
+            Self::TouchDown(ramp) | Self::Lift(ramp) => &ramp.pieces,
+            Self::Seal(pieces) | Self::Trace(pieces) => pieces,
+            Self::Height(_) | Self::Heat(_) | Self::Travel(_) | Self::Seam(_) => &[],
+        }
+    }
+
+    /// The ramp of a step that goes down to contact or up from it.
+    pub fn ramp(&self) -> Option<&Ramp> {
+        match self {
+            Self::TouchDown(ramp) | Self::Lift(ramp) => Some(ramp),
+            Self::Height(_)
+            | Self::Heat(_)
+            | Self::Travel(_)
+            | Self::Seam(_)
+            | Self::Seal(_)
+            | Self::Trace(_) => None,
+        }
+    }
+
+    /// Whether the step is below travel height.
+    pub fn is_contact(&self) -> bool {
+        match self {
+            Self::TouchDown(_) | Self::Seal(_) | Self::Lift(_) => true,
+            Self::Height(_) | Self::Heat(_) | Self::Travel(_) | Self::Seam(_) | Self::Trace(_) => false,
+        }
+    }
+
+    /// The point to which the step moves; `None` where it moves straight up or down, or not at all.
+    pub fn end(&self) -> Option<Point> {
+        if let Self::Travel(to) = self { Some(*to) } else { self.pieces().last().map(Segment::end) }
+    }
+}
+
 /// A path on which the height changes evenly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {

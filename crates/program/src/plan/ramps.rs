@@ -42,10 +42,7 @@ fn with_ends(piece: &Segment, start: Point, end: Point) -> Segment {
 /// The reason for which the ramps of `programs` are too steep.
 pub(super) fn too_steep(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
     let shortest_of = |program: &Program| {
-        let ramps = program.steps.iter().filter_map(|step| match step {
-            Step::TouchDown(ramp) | Step::Lift(ramp) => Some(ramp),
-            _ => None,
-        });
+        let ramps = program.steps.iter().filter_map(Step::ramp);
         ramps.map(|ramp| least_move(ramp, program.pace)).fold(f64::INFINITY, f64::min)
     };
     let (shortest_part, limit) =

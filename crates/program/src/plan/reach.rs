@@ -14,12 +14,8 @@ pub fn beyond(machine: &Machine, subject: &str, steps: &[Step], remedy: &str) ->
     let (x, y) = machine.bench.work_area?;
     let extent = steps
         .iter()
-        .filter_map(|step| match step {
-            Step::TouchDown(ramp) | Step::Lift(ramp) => Some(&ramp.pieces),
-            Step::Seal(pieces) => Some(pieces),
-            _ => None,
-        })
-        .map(|pieces| Path::open(pieces.clone()).bounds())
+        .filter(|step| step.is_contact())
+        .map(|step| Path::open(step.pieces().to_vec()).bounds())
         .fold(Bounds::EMPTY, Bounds::union);
     let area = Bounds { min: Point::new(-SLACK, -SLACK), max: Point::new(x.0 + SLACK, y.0 + SLACK) };
     if area.contains(extent.min) && area.contains(extent.max) {

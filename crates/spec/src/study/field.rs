@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use crate::FaultCode;
 use crate::fault::{Fault, quoted};
 use crate::key::{self, KeyPath};
+use crate::model::ProductKind;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;
 use crate::section::{Reader, Section};
@@ -48,9 +49,12 @@ impl Field {
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(is_named)?;
         let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
-        let is_of_drawing = key.section() == key::drawing::FILE.section() || of_drawings.contains(&key);
+        let is_of_another_product = of_drawings.contains(&key)
+            || ProductKind::ALL
+                .iter()
+                .any(|(section, product)| *product != ProductKind::Stars && *section == key.section());
         (key != key::root::SCHEMA
-            && !is_of_drawing
+            && !is_of_another_product
             && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
         .then(|| Self { key, shape: shape.clone() })
     }

@@ -17,21 +17,21 @@ pub fn judge_clamps<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: gcode::Dialect,
 ) -> Option<Finding> {
-    let (mut clamps, mut findings) = (Clamps::new(clamps, reach), Findings::default());
-    gcode::each_line(lines, dialect, |line| clamps.see(line, &mut findings));
+    let (mut judge, mut findings) = (ClampJudge::new(clamps, reach), Findings::default());
+    gcode::each_line(lines, dialect, |line| judge.see(line, &mut findings));
     findings.into_vec().into_iter().next()
 }
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,
 /// at X0 Y0.
-pub(super) struct Clamps<'a> {
+pub(super) struct ClampJudge<'a> {
     reach: f64,
     zones: Vec<ClampZone<'a>>,
     /// Most moves are near none of them.
     index: BoxIndex,
 }
 
-/// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
+/// A clamp shrunk by [`ROUNDING`] on each side; moves across it are then found for a reach of 0 as well.
 struct ClampZone<'a> {
     clamp: &'a KeepOut,
     bounds: Bounds,
@@ -56,7 +56,7 @@ impl<'a> ClampZone<'a> {
     }
 }
 
-impl<'a> Clamps<'a> {
+impl<'a> ClampJudge<'a> {
     pub(super) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
         let mut zones: Vec<ClampZone<'_>> = clamps.iter().map(ClampZone::new).collect();
         zones.sort_by(|a, b| {
@@ -69,8 +69,8 @@ impl<'a> Clamps<'a> {
         Self { reach, zones, index }
     }
 
-    /// A move along `path`, at height `z` at the least.
-    fn pass(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
+    /// Reports the clamps that a move along `path`, at height `z` at the least, comes too near to.
+    fn report_collisions(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
         let candidates = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
         let zones = candidates.into_iter().map(|number| &self.zones[number]);
         for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
@@ -81,10 +81,10 @@ impl<'a> Clamps<'a> {
     }
 }
 
-impl Judge for Clamps<'_> {
+impl Judge for ClampJudge<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         if let Some(path) = &step.path {
-            self.pass(path, step.from.z.min(step.to.z), step.line, findings);
+            self.report_collisions(path, step.from.z.min(step.to.z), step.line, findings);
         }
     }
 
@@ -92,7 +92,12 @@ impl Judge for Clamps<'_> {
         if let [Some(x), Some(y), Some(z)] = step.to
             && (x, y) != (0.0, 0.0)
         {
-            self.pass(&Line::new(Point::ORIGIN, Point::new(x, y)).into(), z, step.line, findings);
+            self.report_collisions(
+                &Line::new(Point::ORIGIN, Point::new(x, y)).into(),
+                z,
+                step.line,
+                findings,
+            );
         }
     }
 }
@@ -104,7 +109,7 @@ mod tests {
     use spec::units::Length;
 
     fn findings_of(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
-        let (mut judge, mut findings) = (Clamps::new(zones, reach), Findings::default());
+        let (mut judge, mut findings) = (ClampJudge::new(zones, reach), Findings::default());
         each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
         findings.into_vec()
     }

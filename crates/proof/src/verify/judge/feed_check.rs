@@ -1,6 +1,6 @@
 //! A feed check: cold, above the fabric, line after line between two pauses, each with its duration at the seal's speed.
 
-use crate::verify::judge::clamp::Clamps;
+use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::script::{Body, ScriptJudge};
@@ -55,7 +55,7 @@ impl FeedCheckTask<'_> {
             Box::new(Body::new(None)),
             Box::new(HeightJudge::new(&machine.process.heights, area)),
             Box::new(Timed::new(&rules, area, times)),
-            Box::new(Clamps::new(&machine.bench.keep_out, 0.0)),
+            Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),
             Box::new(Traced::new(&task)),
         ];
         judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)

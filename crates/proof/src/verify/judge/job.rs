@@ -1,7 +1,7 @@
 //! A G-code program against the design: place, temperature and speed of the iron.
 
 use crate::verify::finding::quote;
-use crate::verify::judge::clamp::Clamps;
+use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
@@ -31,7 +31,7 @@ impl ProgramTask<'_> {
             Box::new(FirstWords),
             Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),
-            Box::new(Clamps::new(&machine.bench.keep_out, reach)),
+            Box::new(ClampJudge::new(&machine.bench.keep_out, reach)),
         ];
         if hot {
             judges.extend(iron(&rules));

@@ -2,7 +2,7 @@
 
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::{Alphabet, Word};
-use crate::verify::read::gcode::machine::{Here, Machine};
+use crate::verify::read::gcode::machine::{BlockContext, Machine};
 use crate::verify::read::gcode::{Comment, Dialect, Event, Pause, lexer};
 use crate::verify::{Finding, FindingCode};
 use spec::{Command, Comments};
@@ -129,10 +129,10 @@ impl Interpreter {
             self.report(events, FindingCode::HeatWithoutPause, fault, "M0 first");
         }
         let (block, line, dialect) = (&self.block, self.line, &self.dialect);
-        self.machine.execute(&mut Here { block, line, dialect, out: events });
+        self.machine.execute(&mut BlockContext { block, line, dialect, out: events });
         if pause {
             let heat = self.announced.take();
-            self.machine.heated = heat.or(self.machine.heated);
+            self.machine.waited_for_celsius = heat.or(self.machine.waited_for_celsius);
             events.push(Event::Pause(Pause { line: self.line, at: self.machine.position(), heat }));
         }
         if self.block.has_command(Command::End) {

@@ -11,14 +11,14 @@ use spec::Command;
 use std::f64::consts::TAU;
 
 /// A line that is executed, and the list of its events.
-pub(super) struct Here<'a> {
+pub(super) struct BlockContext<'a> {
     pub(super) block: &'a Block,
     pub(super) line: usize,
     pub(super) dialect: &'a Dialect,
     pub(super) out: &'a mut Vec<Event>,
 }
 
-impl Here<'_> {
+impl BlockContext<'_> {
     fn report(&mut self, code: FindingCode, fault: impl Into<String>, allowed: impl Into<String>) {
         self.out.push(Event::Finding(Finding::in_line(code, self.line, fault, allowed)));
     }
@@ -28,8 +28,8 @@ impl Here<'_> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Machine {
     pub(super) modes: Modes,
-    /// Temperature in force, in degrees Celsius.
-    pub(super) heated: Option<f64>,
+    /// Temperature for which a program waited, in degrees Celsius; `None` once another one is set without a wait.
+    pub(super) waited_for_celsius: Option<f64>,
     position: [Option<f64>; 3],
     /// Names of modes whose absence was reported already.
     reported: Vec<&'static str>,
@@ -57,14 +57,14 @@ impl Machine {
     ///
     /// Modes count before the motion of their line, as controllers have it. A setting or a command that stands alone ends the
     /// block.
-    pub(super) fn execute(&mut self, context: &mut Here<'_>) {
-        let Here { block, line, .. } = *context;
+    pub(super) fn execute(&mut self, context: &mut BlockContext<'_>) {
+        let BlockContext { block, line, .. } = *context;
         for command in &block.commands {
             self.modes.set(*command);
             let waits = *command == Command::HeatAndWait;
             if waits || *command == Command::HeatOnly {
                 let celsius = block.value(b'S').unwrap_or(0.0);
-                self.heated = Some(celsius).filter(|t| waits && *t > 0.0);
+                self.waited_for_celsius = Some(celsius).filter(|t| waits && *t > 0.0);
                 context.out.push(Event::Heat(Heat { line, celsius, waits }));
             }
         }
@@ -93,8 +93,8 @@ impl Machine {
     ///
     /// A mode on which the move relies and which was never set is reported, and the move is made nevertheless, so that later
     /// faults are seen. While a coordinate is unknown the move is a blind one.
-    fn travel(&mut self, context: &mut Here<'_>) {
-        let Here { block, line, .. } = *context;
+    fn travel(&mut self, context: &mut BlockContext<'_>) {
+        let BlockContext { block, line, .. } = *context;
         let Some(motion) = self.modes.motion else {
             context.report(FindingCode::ModeUnset, "axis words before any motion", "G0, G1, G2 or G3 first");
             return;
@@ -130,7 +130,7 @@ impl Machine {
         } else {
             (from.xy() != to.xy()).then(|| Line::new(from.xy(), to.xy()).into())
         };
-        let mut step = Move { line, kind, from, to, path, feed: None, heated: self.heated };
+        let mut step = Move { line, kind, from, to, path, feed: None, heated: self.waited_for_celsius };
         if at_feed {
             step.feed = self.feed_of(&step, context);
         }
@@ -138,7 +138,7 @@ impl Machine {
     }
 
     /// The position after the block; `None` if it is unknown.
-    fn target(&self, context: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
+    fn target(&self, context: &mut BlockContext<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
         for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
             let Some(value) = context.block.value(letter) else { continue };
@@ -157,7 +157,7 @@ impl Machine {
     }
 
     /// The path of an arc; after a fault the chord, so that the rest can still be read.
-    fn arc(&mut self, from: Point, to: Point, context: &mut Here<'_>) -> Option<Segment> {
+    fn arc(&mut self, from: Point, to: Point, context: &mut BlockContext<'_>) -> Option<Segment> {
         self.require(self.modes.plane.is_some(), "plane (G17)", context);
         self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", context);
         let chord = (from != to).then(|| Line::new(from, to).into());
@@ -181,7 +181,7 @@ impl Machine {
     }
 
     /// The feed of a move in mm/min.
-    fn feed_of(&mut self, step: &Move, context: &mut Here<'_>) -> Option<f64> {
+    fn feed_of(&mut self, step: &Move, context: &mut BlockContext<'_>) -> Option<f64> {
         self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", context);
         if self.modes.is_inverse_time() {
             let feed = context.block.value(b'F').map(|f| f * step.length());
@@ -195,7 +195,7 @@ impl Machine {
     }
 
     /// Reports, once, that something relied on a mode that the program has not set.
-    fn require(&mut self, set: bool, name: &'static str, context: &mut Here<'_>) {
+    fn require(&mut self, set: bool, name: &'static str, context: &mut BlockContext<'_>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
             let fault = format!("{name} not set");
