@@ -15,7 +15,7 @@ use stargrip_cam::design::Paper;
 use stargrip_cam::geom::{Bounds, Path as Curve};
 use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
-use stargrip_cam::spec::{Machine, Source};
+use stargrip_cam::spec::{KeyPath, Machine, Setting, Source, key};
 use stargrip_cam::verify::gcode::{self, MoveKind};
 use stargrip_cam::verify::{Drawing, SvgOrigin, read_dxf, read_stl, read_svg};
 use stargrip_cam::{pipeline, spec};
@@ -241,6 +241,38 @@ fn the_whole_designs_have_every_feature() {
     assert!(missing.is_empty(), "no golden file of {missing:?}");
     let missing: Vec<&String> = all.difference(&whole).collect();
     assert!(missing.is_empty(), "not in {WHOLE:?}: {missing:?}");
+}
+
+/// Sections whose keys change the files of stars.
+const OF_FILES: [&str; 9] = ["star", "stack", "inlet", "seal", "mask", "frame", "cut", "sheet", "machine"];
+
+/// Keys of these sections that no golden design of stars sets: only drawings have them, or they leave something out.
+const NOT_SET: [KeyPath; 4] = [key::inlet::NONE, key::mask::KIND, key::sheet::COPIES, key::sheet::TURN];
+
+/// The key under which single stars differ.
+const SINGLE_STARS: &str = "stack.star";
+
+/// A key that no golden design sets could be lost between the spec and a program.
+#[test]
+fn every_key_that_changes_files_is_set_in_a_golden_design() {
+    let sources: Vec<Source> = designs().into_iter().map(|(name, text)| Source::new(name, text)).collect();
+    let starter = Source::new("starter", spec::starter("x").expect("a name"));
+    let defaults = spec::form_settings(&starter);
+    let is_default = |setting: &Setting| {
+        defaults.iter().any(|default| default.is_same_key(setting) && default.value == setting.value)
+    };
+    let keys_set: BTreeSet<String> = sources
+        .iter()
+        .flat_map(spec::form_settings)
+        .filter(|setting| setting.given && !is_default(setting))
+        .map(|setting| format!("{}.{}", setting.section, setting.key))
+        .collect();
+    let names = key::ALL.iter().filter(|key| OF_FILES.contains(&key.section()) && !NOT_SET.contains(key));
+    let missing: Vec<String> = names
+        .map(ToString::to_string)
+        .filter(|name| name != SINGLE_STARS && !keys_set.contains(name))
+        .collect();
+    assert!(missing.is_empty(), "set in tests/golden/every-feature.toml: {missing:?}");
 }
 
 /// The files of the program in the release profile; `make check` builds it first.

@@ -240,3 +240,31 @@ impl Header {
         }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use design::Design;
+    use program::plan::seal_programs;
+    use spec::{Machine, Source};
+
+    /// A value of the seal that programs do not state would be lost when a job is resumed. The design sets every key to another value
+    /// than the default.
+    #[test]
+    fn a_program_states_every_value_of_its_seal() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/every-feature.toml");
+        let text = std::fs::read_to_string(path).expect("a design");
+        let spec = spec::read(&Source::new("spec", text)).expect("valid").spec;
+        let machine = Machine::builtin(&spec.machine.profile).expect("built in");
+        let design = Design::new(&spec, &machine).expect("a gripper");
+        let programs = seal_programs(&spec, &machine, &design);
+        let record = Record::read(&crate::emit::gcode(&spec, &machine, &programs[0])).expect("a program");
+        // Allowances are cut, not sealed. Every other key is compared.
+        let Seal { temperature, speed, band, overlap, allowance: _, hole_allowance: _ } = spec.seal;
+        let stated = record.seal;
+        assert_eq!(
+            (stated.temperature, stated.speed, stated.band, stated.overlap),
+            (temperature, speed, band, overlap)
+        );
+    }
+}

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use serde_json::Value;
 
-use stargrip_cam::artifact::{Kind, KindRequest};
+use stargrip_cam::artifact::{Format, Kind, KindRequest};
 use stargrip_cam::pipeline::{self, Built, Sources};
 use stargrip_cam::spec::{self, Source};
 
@@ -61,6 +61,16 @@ const KINDS: [Kind; 12] = [
     Kind::SceneGlb,
     Kind::Report,
 ];
+
+#[test]
+fn every_format_has_a_kind_among_those_with_hostile_words() {
+    let missing: Vec<&str> = Format::ALL
+        .into_iter()
+        .filter(|(_, format)| *format != Format::Toml && !KINDS.iter().any(|kind| kind.format() == *format))
+        .map(|(ending, _)| ending)
+        .collect();
+    assert!(missing.is_empty(), "no kind of {missing:?}");
+}
 
 /// A gripper called `name`, on a machine called `machine` with a clamp called `clamp`; `None` if it is refused.
 fn built(name: &str, machine: &str, clamp: &str) -> Option<Built> {

@@ -107,6 +107,15 @@ fn every_path_in_back_quotes_exists() {
     assert!(count > 100 && stale.is_empty(), "of {count} paths there are none of {stale:#?}");
 }
 
+/// A bare name could be of any crate, and nobody would see that there is no such file.
+#[test]
+fn contributing_names_files_by_their_whole_paths() {
+    let page = Page::named("CONTRIBUTING.md").text;
+    let is_bare = |span: &&str| ends_in(span, "rs") && !span.contains(['/', ' ']);
+    let bare: Vec<&str> = page.split('`').skip(1).step_by(2).filter(is_bare).collect();
+    assert!(bare.is_empty(), "without a path: {bare:?}");
+}
+
 #[test]
 fn a_stale_path_is_seen() {
     assert_eq!(

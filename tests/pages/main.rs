@@ -9,6 +9,8 @@ mod codes;
 mod commands;
 #[cfg(unix)]
 mod figures;
+mod form;
+mod lists;
 #[cfg(unix)]
 mod output;
 mod page;

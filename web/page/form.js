@@ -12,7 +12,7 @@ const PRODUCTS = {
     drawing: {
         first: ["load.pressure", "mask.kind", "seal.band", "fabric.seal_strength", "sheet.copies"],
         groups: ["drawing", "seal", "fabric", "machine", "inlet", "mask", "sheet", "cut", "accuracy", "build"],
-        without: ["inlet.length", "inlet.tip", "inlet.fillet", "inlet.none", "seal.hole_allowance", "mask.extent", "mask.border", "mask.mirror", "mask.thickness", "mask.bed", "machine.program_star"],
+        without: ["inlet.length", "inlet.tip", "inlet.fillet", "inlet.none", "seal.hole_allowance", "mask.extent", "mask.border", "mask.mirror", "mask.thickness", "mask.bed"],
     },
 };
 const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };

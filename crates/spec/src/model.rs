@@ -358,3 +358,24 @@ crate::choices! {
     /// A ball; an ellipsoid of revolution where it is not as tall as wide.
     Ball: "ball",
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Source, read};
+
+    #[test]
+    fn a_spec_is_of_the_product_whose_section_it_has() {
+        for (section, product) in ProductKind::ALL {
+            let keys = match product {
+                ProductKind::Stars => {
+                    "points = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n"
+                }
+                ProductKind::Drawing => "file = \"a.svg\"\nlayers = { air = [\"a\"] }\n",
+            };
+            let text = format!("schema = 1\nname = \"x\"\n[{section}]\n{keys}");
+            let spec = read(&Source::new("spec", text)).expect("valid").spec;
+            assert_eq!((spec.product(), product.section()), (product, section));
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use crate::FaultCode;
 use crate::fault::{Fault, quoted};
 use crate::message::header;
+use crate::model::ProductKind;
 use crate::units::{Length, Quantity};
 use crate::value::{RawEntry, RawKind, RawTable, RawValue};
 use std::ops::Range;
@@ -241,7 +242,10 @@ impl Missing {
             ("", _) => (format!("the file has no {list}"), lines.join("\n")),
             (name, true) => (format!("{} has no {list}", header(name)), lines.join("\n")),
             ("star", false) => (
-                format!("there is neither [star] nor [drawing]; a [star] needs {list}"),
+                format!(
+                    "there is neither {}; a [star] needs {list}",
+                    ProductKind::WORDS.map(|product| format!("[{product}]")).join(" nor ")
+                ),
                 format!("[star]\n{}\n{DRAWING}", lines.join("\n")),
             ),
             (name, false) => (

@@ -86,10 +86,26 @@ impl Vocabulary {
     };
 
     /// LinuxCNC.
-    const LINUXCNC: Self = Self { except: &[], subcodes: true, ..Self::GENERIC };
+    const LINUXCNC: Self = Self {
+        codes: &[&COMMON, &GEOMETRY, &RS274],
+        except: &[],
+        draws_arcs: true,
+        subcodes: true,
+        words: &[],
+        fixed: &[],
+        parameters: "XYZIJFP",
+    };
 
     /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
-    const GRBL: Self = Self { except: &[C::CentersAbsolute], subcodes: true, ..Self::GENERIC };
+    const GRBL: Self = Self {
+        codes: &[&COMMON, &GEOMETRY, &RS274],
+        except: &[C::CentersAbsolute],
+        draws_arcs: true,
+        subcodes: true,
+        words: &[],
+        fixed: &[],
+        parameters: "XYZIJFP",
+    };
 
     /// Marlin without its options: no arcs, planes or inches.
     const MARLIN: Self = Self {
@@ -105,20 +121,23 @@ impl Vocabulary {
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
     const KLIPPER: Self = Self {
         codes: &[&COMMON, &PRINTER, &KLIPPER],
+        except: &[],
+        draws_arcs: false,
+        subcodes: false,
         words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
         fixed: &[C::PerMinute],
         parameters: "XYZFPSR",
-        ..Self::MARLIN
     };
 
     /// RepRapFirmware 3: arc centres always from the start.
     const REPRAPFIRMWARE: Self = Self {
         codes: &[&COMMON, &GEOMETRY, &PRINTER, &REPRAPFIRMWARE],
+        except: &[],
         draws_arcs: true,
+        subcodes: false,
         words: &[],
         fixed: &[C::CentersRelative],
         parameters: "XYZIJFPSR",
-        ..Self::MARLIN
     };
 
     /// The words of a controller of family `dialect` that draws arcs if its family does.

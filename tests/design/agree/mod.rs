@@ -7,14 +7,14 @@
 mod named;
 mod specs;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
 use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
 use stargrip_cam::spec;
-use stargrip_cam::spec::Source;
+use stargrip_cam::spec::{KeyPath, Source, key};
 use stargrip_cam::verify::Finding;
 
 use specs::{Case, case};
@@ -35,6 +35,37 @@ fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     // `verify` makes every file again beside reading it.
     let list = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };
     Some(list)
+}
+
+/// Keys that no random spec sets: only predictions or drawings have them, or they name something outside of the spec.
+const NOT_SET: [KeyPath; 12] = [
+    key::fabric::POISSON_RATIO,
+    key::fabric::BENDING_STIFFNESS,
+    key::fabric::STRETCH_STIFFNESS,
+    key::fabric::SHEAR_MODULUS,
+    key::fabric::WARP,
+    key::sheet::COPIES,
+    key::load::OBJECT_DIAMETER,
+    key::load::OBJECT_HEIGHT,
+    key::load::OBJECT_SHAPE,
+    key::load::CHAMBERS,
+    key::accuracy::RESPONSE,
+    key::build::LINK,
+];
+
+#[test]
+fn random_specs_set_every_key() {
+    let keys_set: BTreeSet<String> = (0..CASES)
+        .flat_map(|number| spec::form_settings(&Source::new("spec", case(number).spec)))
+        .filter(|setting| setting.given)
+        .map(|setting| format!("{}.{}", setting.section, setting.key))
+        .collect();
+    let is_expected = |key: &&KeyPath| {
+        !["", "drawing"].contains(&key.section()) && !NOT_SET.contains(key) && **key != key::stack::STAR
+    };
+    let names = key::ALL.iter().filter(is_expected).map(ToString::to_string);
+    let missing: Vec<String> = names.filter(|name| !keys_set.contains(name)).collect();
+    assert!(missing.is_empty(), "tests/design/agree/specs.rs never writes {missing:?}");
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Random specs, valid and not.
 
 use proptest::prelude::*;
-use stargrip_cam::spec::{Load, Source, Spec, read, read_machine, starter};
+use stargrip_cam::spec::key as key_path;
+use stargrip_cam::spec::{KeyPath, Load, Source, Spec, read, read_machine, schema, starter};
 use stargrip_cam::units::{
     Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Quantity,
     Speed, Temperature,
@@ -113,6 +114,27 @@ const REQUIRED: &[Key] = &[
     key("star", "tube_width", LENGTH, SIZE, |s, x| s.stars[0].tube_width = Length(x)),
     key("star", "tip_angle", Angle::KIND.units, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
 ];
+
+/// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter.
+const ELSEWHERE: [KeyPath; 3] =
+    [key_path::mask::BED, key_path::stack::ROTATION, key_path::load::OBJECT_RADIUS];
+
+/// Quantities have patterns in the schema, plain numbers are of the type `number`.
+#[test]
+fn every_key_with_a_quantity_or_a_number_is_among_the_random_ones() {
+    let schema: serde_json::Value = serde_json::from_str(&schema()).expect("JSON");
+    let is_number = |key: &&KeyPath| {
+        let property = &schema["properties"][key.section()]["properties"][key.key()];
+        property["pattern"].is_string() || property["type"] == "number"
+    };
+    let is_tried = |key: &&KeyPath| {
+        KEYS.iter().chain(REQUIRED).any(|row| (row.section, row.name) == (key.section(), key.key()))
+    };
+    let of_stars = key_path::ALL.iter().filter(|key| key.section() != "drawing" && !ELSEWHERE.contains(key));
+    let missing: Vec<String> =
+        of_stars.filter(is_number).filter(|key| !is_tried(key)).map(ToString::to_string).collect();
+    assert!(missing.is_empty(), "a row in KEYS for each of {missing:?}");
+}
 
 /// The place in the range, the unit, the number of blanks, and whether there is an exponent.
 type Writing = (f64, prop::sample::Index, usize, bool);

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files, read_back};
 use stargrip_cam::spec;
-use stargrip_cam::spec::{Machine, Source};
+use stargrip_cam::spec::Source;
 use stargrip_cam::verify::OutputFiles;
 
 use super::specs::Message;
@@ -28,6 +28,10 @@ enum Base {
     Arcs,
     Chopped,
     Predicted,
+    /// A mask in pieces.
+    Tiled,
+    /// A clamp in a corner of the sheet.
+    Clamped,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -54,6 +58,7 @@ const EDITS: &[Edit] = &[
     edit("bad-feed", SEAL, "F6", "F0"),
     edit("bad-number", SEAL, "Y220.6945", "Y"),
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
+    edit_of(Base::Clamped, edit("clamp-in-the-way", SEAL, "M2\n", "G0 X4 Y330 F1200\nM2\n")),
     edit("bad-xml", SVG, "</title>", "</titel>"),
     edit_of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
     edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
@@ -66,6 +71,14 @@ const EDITS: &[Edit] = &[
     edit("heat-without-pause", SEAL, "M2\n", "; heat: temperature_C=200\nM2\n"),
     edit("hot-trace", TRACE, "G0 X10 Y10", "M0\nG0 X10 Y10"),
     edit("iron-at-rest", SEAL, MOVE, "G1 X256.9069 Y220.6945\nG4 P9\n"),
+    edit(
+        "jump",
+        SEAL,
+        "G1 X259.8731 Y224.3576\n",
+        "G1 X259.8731 Y224.3576 Z1\nG1 X262.8394 Y228.0206 Z-0.3\n",
+    ),
+    edit("missing-overlap", SEAL, "G1 X254.1209 Y217.2541\nG1 X256.0089", "G1 X256.0089"),
+    edit("transform", SVG, "<path d=", "<path transform=\"scale(1)\" d="),
     edit(
         "late-start",
         SEAL,
@@ -132,6 +145,13 @@ const EDITS: &[Edit] = &[
 
 const PAPER: &str = include_str!("../../../designs/paper-five-points.toml");
 
+/// A profile with a clamp that no way of the program comes near to.
+fn clamped() -> String {
+    let generic = spec::builtin_machine("generic").expect("built in");
+    let place = "x = \"1 mm\"\ny = \"300 mm\"\nwidth = \"6 mm\"\ndepth = \"6 mm\"\n";
+    format!("{generic}\n[[keep_out]]\nname = \"vice\"\n{place}")
+}
+
 fn built(base: Base) -> Built {
     let rest = match base {
         Base::Plain => "",
@@ -139,17 +159,21 @@ fn built(base: Base) -> Built {
         Base::Arcs => "[machine]\nprofile = \"linuxcnc\"\n",
         Base::Chopped => "[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n",
         Base::Predicted => "[load]\npressure = \"37 kPa\"\n",
+        Base::Tiled => "[mask]\nbed = \"220 mm x 220 mm\"\n",
+        Base::Clamped => "[machine]\nprofile = \"own.toml\"\n",
     };
     let text = format!("{PAPER}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
-    let (name, machine) = (&read.machine.profile, Machine::builtin(&read.machine.profile).expect("built in"));
-    let sources = Sources { spec: &text, machine: spec::builtin_machine(name).expect("built in") };
+    let profile = spec::builtin_machine(&read.machine.profile).map_or_else(clamped, str::to_owned);
+    let machine = spec::read_machine(&Source::new("machine.toml", profile.as_str())).expect("valid");
+    let sources = Sources { spec: &text, machine: &profile };
     build(&read, &machine, sources, &KindRequest::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
 /// The findings in a build with a changed file, with a missing file, and with an extra one.
 pub(crate) fn messages() -> Vec<Message> {
-    let bases = [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted];
+    let bases =
+        [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted, Base::Tiled, Base::Clamped];
     let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
     let mut messages = Vec::new();
     for &Edit { code, base, file, old, new } in EDITS {
@@ -175,11 +199,49 @@ pub(crate) fn messages() -> Vec<Message> {
         let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == SVG).expect("a file");
         bytes.to_mut()[1] = 0xff;
     }));
+    messages.extend(message_after("missing-seam", plain.output_files(), |files| {
+        change_text(files, SEAL, |program| {
+            let (head, rest) = program.split_once("; seam: seam=2").expect("two seams");
+            let (_, end) = rest.rsplit_once("G0 Z30").expect("the end");
+            format!("{head}G0 Z30{end}")
+        });
+    }));
+    messages.extend(message_after("order", plain.output_files(), |files| {
+        change_text(files, SVG, |drawing| {
+            let renamed = drawing.replace("seal-inner", "?").replace("seal-outer", "seal-inner");
+            renamed.replace('?', "seal-outer")
+        });
+    }));
+    messages.extend(message_after("wrong-volume", plain.output_files(), |files| {
+        move_corners(files, "star-1-mask.stl", 1.01, 0.0);
+    }));
+    let (_, tiled) = builds.iter().find(|(base, _)| *base == Base::Tiled).expect("built");
+    messages.extend(message_after("wrong-joint", tiled.output_files(), |files| {
+        move_corners(files, "star-1-mask-piece-2.stl", 1.0, 0.3);
+    }));
     messages.extend(message_after("not-watertight", plain.output_files(), |files| {
         let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == "star-1-mask.stl").expect("a file");
         bytes.to_mut()[96] ^= 0x40;
     }));
     messages
+}
+
+/// Changes the text of the file `name`.
+fn change_text(files: &mut OutputFiles<'_>, name: &str, change: impl Fn(&str) -> String) {
+    let (_, bytes) = files.files.iter_mut().find(|(file, _)| file == name).expect("a file");
+    *bytes = change(std::str::from_utf8(bytes).expect("text")).into_bytes().into();
+}
+
+/// Moves every corner of the solid `name`: `scale` times as far from the origin, and then by `shift` mm along X.
+fn move_corners(files: &mut OutputFiles<'_>, name: &str, scale: f32, shift: f32) {
+    let (_, bytes) = files.files.iter_mut().find(|(file, _)| file == name).expect("a file");
+    for facet in bytes.to_mut()[84..].chunks_exact_mut(50) {
+        for (axis, word) in facet[12..48].chunks_exact_mut(4).enumerate() {
+            let coordinate = scale * f32::from_le_bytes([word[0], word[1], word[2], word[3]]);
+            let moved = if axis % 3 == 0 { coordinate + shift } else { coordinate };
+            word.copy_from_slice(&moved.to_le_bytes());
+        }
+    }
 }
 
 /// The finding of `code` after a `change`, by reading alone or else by bytes, too.

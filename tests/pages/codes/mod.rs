@@ -4,6 +4,7 @@ mod files;
 mod specs;
 
 use std::fmt::Write;
+use std::sync::LazyLock;
 
 use stargrip_cam::design::RefusalCode;
 use stargrip_cam::pipeline::{CommandCode, PrecautionCode};
@@ -12,7 +13,7 @@ use stargrip_cam::verify::FindingCode;
 
 use specs::Message;
 
-/// Codes without a wrong input, or without a short one, as example.
+/// Codes without a wrong input, or without a short one, as example; no finding is among them.
 const WITHOUT: &[&str] = &[
     "edit",
     "open-quote",
@@ -36,15 +37,10 @@ const WITHOUT: &[&str] = &[
     "failed",
     "infeasible",
     "not-published",
-    "clamp-in-the-way",
-    "jump",
-    "missing-overlap",
-    "missing-seam",
-    "order",
-    "transform",
-    "wrong-joint",
-    "wrong-volume",
 ];
+
+/// The findings in files that are wrong on purpose.
+static FINDINGS: LazyLock<Vec<Message>> = LazyLock::new(files::messages);
 
 /// The lines of one module's table; `messages` are its examples.
 fn table<C: Code>(codes: &[C], messages: &[Message]) -> String {
@@ -84,13 +80,13 @@ fn tables(page: &str) -> Vec<String> {
 
 #[test]
 fn the_page_lists_every_code_with_its_meaning_and_a_message() {
-    let ([faults, refusals, precautions], findings) = (specs::messages(), files::messages());
+    let [faults, refusals, precautions] = specs::messages();
     let right = [
         table(FaultCode::ALL, &faults),
         table(RefusalCode::ALL, &refusals),
         table(PrecautionCode::ALL, &precautions),
         table(CommandCode::ALL, &[]),
-        table(FindingCode::ALL, &findings),
+        table(FindingCode::ALL, &FINDINGS),
     ];
     let page = include_str!("../../../docs/codes.md").replace("\r\n", "\n");
     let shown_tables = tables(&page);
@@ -106,6 +102,14 @@ fn the_page_lists_every_code_with_its_meaning_and_a_message() {
         right.iter().flat_map(|table| table.lines()).filter_map(|line| line.strip_suffix(" |  |")).collect();
     let bare: Vec<&str> = bare.iter().filter_map(|line| line.split('`').nth(1)).collect();
     assert_eq!(bare, WITHOUT, "codes without an example");
+}
+
+/// A finding that no judge reports, or that no wrong file shows, is not listed.
+#[test]
+fn every_finding_has_a_file_that_is_wrong_in_just_that_way() {
+    let is_shown = |code: &FindingCode| FINDINGS.iter().any(|(word, _)| word == code.as_str());
+    let missing: Vec<&FindingCode> = FindingCode::ALL.iter().filter(|code| !is_shown(code)).collect();
+    assert!(missing.is_empty(), "add to EDITS or `messages` of tests/pages/codes/files.rs: {missing:?}");
 }
 
 #[test]

@@ -17,7 +17,19 @@ struct Rules {
     arcs: ArcTolerance,
 }
 
-/// The rules of each dialect.
+/// The rules of a mill: its longest line, the step to which it rounds dwells up, s, and the arcs that it takes.
+const fn mill(line_length: usize, dwell_step: f64, arcs: ArcTolerance) -> Rules {
+    let dwell = DwellUnit::Seconds;
+    Rules { line_length, forbidden: "()!~?", travel_at_feed: false, dwell, dwell_step, arcs }
+}
+
+/// The rules of a printer: its longest line. G4 P is in ms, G0 moves as G1.
+const fn printer(line_length: usize) -> Rules {
+    let dwell = DwellUnit::Milliseconds;
+    Rules { line_length, forbidden: "()!~?*", travel_at_feed: true, dwell, dwell_step: 0.0, arcs: STRICTEST }
+}
+
+/// The rules of `dialect`.
 ///
 /// Generic: the plain subset that every controller reads alike, with capital letters, `;` comments, arcs by I and J. Parentheses are
 /// refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`, which GRBL obeys even inside comments. The
@@ -25,8 +37,8 @@ struct Rules {
 ///
 /// LinuxCNC: lines up to 255. GRBL 1.1: lines up to 80 (protocol.h), arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
 /// grblHAL: as GRBL, lines up to 256 (protocol.h). FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds
-/// (NutsBolts.cpp). Marlin without its options, Klipper without `[gcode_arcs]`, RepRapFirmware 3: G4 P in ms, G0 as G1; Marlin's lines
-/// up to 95 (`MAX_CMD_SIZE`).
+/// (NutsBolts.cpp). Marlin without its options, Klipper without `[gcode_arcs]`, RepRapFirmware 3; Marlin's lines up to 95
+/// (`MAX_CMD_SIZE`).
 const fn rules(dialect: spec::Dialect) -> Rules {
     match dialect {
         spec::Dialect::Generic => Rules {
@@ -37,54 +49,12 @@ const fn rules(dialect: spec::Dialect) -> Rules {
             dwell_step: 0.0,
             arcs: STRICTEST,
         },
-        spec::Dialect::LinuxCnc => Rules {
-            line_length: 255,
-            forbidden: "()!~?",
-            travel_at_feed: false,
-            dwell: DwellUnit::Seconds,
-            dwell_step: 0.0,
-            arcs: STRICTEST,
-        },
-        spec::Dialect::Grbl => Rules {
-            line_length: 80,
-            forbidden: "()!~?",
-            travel_at_feed: false,
-            dwell: DwellUnit::Seconds,
-            dwell_step: 0.05,
-            arcs: GRBL,
-        },
-        spec::Dialect::GrblHal => Rules {
-            line_length: 256,
-            forbidden: "()!~?",
-            travel_at_feed: false,
-            dwell: DwellUnit::Seconds,
-            dwell_step: 0.05,
-            arcs: GRBL,
-        },
-        spec::Dialect::FluidNc => Rules {
-            line_length: 255,
-            forbidden: "()!~?",
-            travel_at_feed: false,
-            dwell: DwellUnit::Seconds,
-            dwell_step: 0.0,
-            arcs: GRBL,
-        },
-        spec::Dialect::Marlin => Rules {
-            line_length: 95,
-            forbidden: "()!~?*",
-            travel_at_feed: true,
-            dwell: DwellUnit::Milliseconds,
-            dwell_step: 0.0,
-            arcs: STRICTEST,
-        },
-        spec::Dialect::Klipper | spec::Dialect::RepRapFirmware => Rules {
-            line_length: 255,
-            forbidden: "()!~?*",
-            travel_at_feed: true,
-            dwell: DwellUnit::Milliseconds,
-            dwell_step: 0.0,
-            arcs: STRICTEST,
-        },
+        spec::Dialect::LinuxCnc => mill(255, 0.0, STRICTEST),
+        spec::Dialect::Grbl => mill(80, 0.05, GRBL),
+        spec::Dialect::GrblHal => mill(256, 0.05, GRBL),
+        spec::Dialect::FluidNc => mill(255, 0.0, GRBL),
+        spec::Dialect::Marlin => printer(95),
+        spec::Dialect::Klipper | spec::Dialect::RepRapFirmware => printer(255),
     }
 }
 
