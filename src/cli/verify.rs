@@ -86,7 +86,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
         ))
     })?;
     let manifest = serde_json::from_slice(&manifest)
-        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&manifest_path))))?;
+        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&manifest_file))))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }

@@ -31,9 +31,9 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindReq
 
 /// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
 pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
-    let mut out = all(spec, Dialect::Generic, design, request, false);
-    out.retain(|output| output.paper.is_some());
-    out
+    let mut outputs = all(spec, Dialect::Generic, design, request, false);
+    outputs.retain(|output| output.paper.is_some());
+    outputs
 }
 
 /// The parts of a design for each of which there is a file of a kind.
@@ -113,31 +113,32 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
 /// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
 fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
     let whole_design = |parts: Parts| parts.kinds().filter(|kind| is_of_spec(spec, *kind)).map(Output::new);
-    let mut out: Vec<Output> = whole_design(Parts::Sources).collect();
+    let mut outputs: Vec<Output> = whole_design(Parts::Sources).collect();
     for kind in Parts::Programs.kinds() {
-        programs(spec, dialect, design, kind, &mut out);
+        programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
         let of_sheet = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
-        out.extend(Parts::Sheets.kinds().map(of_sheet));
+        outputs.extend(Parts::Sheets.kinds().map(of_sheet));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
             let outlines = Parts::Sheets.kinds().filter(|kind| kind.subject() == Subject::Outline);
-            out.extend(outlines.map(|kind| Output { valves: true, ..of_sheet(kind) }));
+            outputs.extend(outlines.map(|kind| Output { valves: true, ..of_sheet(kind) }));
         }
     }
     if let Some(assembly) = design.assembly() {
-        of_assembly(spec, assembly, &mut out);
+        of_assembly(spec, assembly, &mut outputs);
     }
     // Equal copies have one separator. It is thin paper: no solid.
     for first in design.firsts() {
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
             let part = OutputPart::Piece { piece: first.index, sheet: None };
             let flat = |kind: &Kind| kind.subject() == Subject::Mask && kind.format() != Format::Stl;
-            out.extend(Parts::Masks.kinds().filter(flat).map(|kind| Output { part, ..Output::new(kind) }));
+            outputs
+                .extend(Parts::Masks.kinds().filter(flat).map(|kind| Output { part, ..Output::new(kind) }));
         }
     }
-    out.extend(whole_design(Parts::Results));
-    out.retain(|output| request.includes(output.kind));
+    outputs.extend(whole_design(Parts::Results));
+    outputs.retain(|output| request.includes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf => output.on_paper(design, fits).collect(),
         Format::Toml
@@ -150,29 +151,29 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         | Format::Glb
         | Format::Html => vec![output],
     };
-    out.into_iter().flat_map(on_paper).collect()
+    outputs.into_iter().flat_map(on_paper).collect()
 }
 
 /// The programs of one kind: one a sheet, or one a star or piece.
-fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
+fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, outputs: &mut Vec<Output>) {
     let of_part = |part| Output { part, ngc: program_ending(dialect) == NGC, ..Output::new(kind) };
     match (spec.machine.program, design.assembly()) {
         (ProgramScope::Sheet, _) => {
-            out.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
+            outputs.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
         }
         (ProgramScope::Piece, Some(assembly)) => {
             let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
-            out.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
+            outputs.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
         }
         (ProgramScope::Piece, None) => {
             let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
-            out.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
+            outputs.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
         }
     }
 }
 
 /// The masks and plates of a gripper.
-fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
+fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) {
     for placed in assembly.firsts() {
         let tiles = &assembly.part(placed).tiles;
         let part = OutputPart::Star { star: placed.index, sheet: None };
@@ -181,9 +182,10 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
             for kind in Parts::Masks.kinds() {
                 let whole = Output { part, mirrored, ..Output::new(kind) };
                 if kind.format() == Format::Stl && tiles.are_several() {
-                    out.extend((1..=tiles.tiles.len()).map(|number| Output { tile: Some(number), ..whole }));
+                    outputs
+                        .extend((1..=tiles.tiles.len()).map(|number| Output { tile: Some(number), ..whole }));
                 } else if kind.subject() == Subject::Mask || tiles.are_several() {
-                    out.push(whole);
+                    outputs.push(whole);
                 }
             }
         }
@@ -191,6 +193,6 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
     for plate in &assembly.frame.plates {
         let Some(lowest) = plate.numbers.first() else { continue };
         let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
-        out.extend(Parts::Plates.kinds().map(of_plate));
+        outputs.extend(Parts::Plates.kinds().map(of_plate));
     }
 }
