@@ -252,19 +252,21 @@ const NOT_SET: [KeyPath; 4] = [key::inlet::NONE, key::mask::KIND, key::sheet::CO
 /// The key under which single stars differ.
 const SINGLE_STARS: &str = "stack.star";
 
+/// Whether `settings` have the key of `setting` with its value.
+fn is_among(setting: &Setting, settings: &[Setting]) -> bool {
+    settings.iter().any(|other| other.is_same_key(setting) && other.value == setting.value)
+}
+
 /// A key that no golden design sets could be lost between the spec and a program.
 #[test]
 fn every_key_that_changes_files_is_set_in_a_golden_design() {
     let sources: Vec<Source> = designs().into_iter().map(|(name, text)| Source::new(name, text)).collect();
     let starter = Source::new("starter", spec::starter("x").expect("a name"));
     let defaults = spec::form_settings(&starter);
-    let is_default = |setting: &Setting| {
-        defaults.iter().any(|default| default.is_same_key(setting) && default.value == setting.value)
-    };
     let keys_set: BTreeSet<String> = sources
         .iter()
         .flat_map(spec::form_settings)
-        .filter(|setting| setting.given && !is_default(setting))
+        .filter(|setting| setting.given && !is_among(setting, &defaults))
         .map(|setting| format!("{}.{}", setting.section, setting.key))
         .collect();
     let names = key::ALL.iter().filter(|key| OF_FILES.contains(&key.section()) && !NOT_SET.contains(key));

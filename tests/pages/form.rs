@@ -63,8 +63,9 @@ fn a_key_that_only_stars_have_is_neither_in_the_form_nor_in_the_settings_of_a_dr
         let is_shown = first.contains(&name)
             || groups.iter().any(|group| group == key.section()) && !without.contains(&name);
         assert!(!is_shown, "web/page/form.js shows {name} for a drawing");
-        let is_set =
-            settings.iter().any(|one| (one.section.as_str(), one.key.as_str()) == (key.section(), key.key()));
+        let is_set = settings
+            .iter()
+            .any(|setting| (setting.section.as_str(), setting.key.as_str()) == (key.section(), key.key()));
         assert!(!is_set, "`is_of_stars` of crates/spec/src/values.rs has no {name}");
     }
 }

@@ -20,10 +20,13 @@ fn literal(types: &str, name: &str) -> BTreeSet<String> {
     list.split('"').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
+fn set(words: &[&str]) -> BTreeSet<String> {
+    words.iter().map(|word| (*word).to_owned()).collect()
+}
+
 #[test]
 fn the_literals_of_python_have_every_word() {
     let types = text("python/package/stargrip_cam/_words.py");
-    let set = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<BTreeSet<String>>();
     let kinds: Vec<&str> = Kind::ALL.iter().map(|kind| kind.name()).collect();
     assert_eq!(literal(&types, "FileKind"), set(&kinds));
     assert_eq!(literal(&types, "Model"), set(&ModelChoice::WORDS));

@@ -68,43 +68,38 @@ impl Parts {
     }
 
     /// The kinds of files that these parts have, in the order of the list: those on paper last.
-    fn kinds(self) -> impl Iterator<Item = Kind> {
-        let kinds = move |on_paper: bool| {
-            let of_parts = Kind::ALL.iter().copied().filter(move |kind| Self::of_kind(*kind) == self);
-            of_parts.filter(move |kind| (kind.format() == Format::Pdf) == on_paper)
-        };
-        kinds(false).chain(kinds(true))
+    fn kinds(self) -> Vec<Kind> {
+        let of_parts = Kind::ALL.iter().copied().filter(|kind| Self::of_kind(*kind) == self);
+        let mut kinds: Vec<Kind> = of_parts.collect();
+        kinds.sort_by_key(|kind| kind.format() == Format::Pdf);
+        kinds
+    }
+
+    /// The files of kinds that `spec` has, one each: the parts are the whole design.
+    fn whole_design(self, spec: &Spec) -> impl Iterator<Item = Output> {
+        self.kinds().into_iter().filter(|kind| is_of_spec(spec, *kind)).map(Output::new)
     }
 }
 
-/// Whether a design of `spec` has a file of `kind`, one for the whole design.
+/// Whether a design of `spec` has files of `kind`.
 fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
-    match kind {
-        Kind::DrawingSvg => spec.drawing.as_ref().is_some_and(|drawing| !drawing.is_dxf()),
-        Kind::DrawingDxf => spec.drawing.as_ref().is_some_and(spec::DrawingSpec::is_dxf),
-        Kind::Prediction => spec.load.is_some(),
-        Kind::Spec
-        | Kind::Machine
-        | Kind::SealGcode
-        | Kind::TraceGcode
-        | Kind::SealSvg
-        | Kind::SealDxf
-        | Kind::OutlineSvg
-        | Kind::OutlineDxf
-        | Kind::OutlinePdf
-        | Kind::MaskSvg
-        | Kind::MaskDxf
-        | Kind::MaskPdf
-        | Kind::MaskStl
-        | Kind::PiecesSvg
-        | Kind::FrameSvg
-        | Kind::FrameDxf
-        | Kind::FramePdf
-        | Kind::FrameStl
-        | Kind::PreviewSvg
-        | Kind::PreviewPng
-        | Kind::SceneGlb
-        | Kind::Report => true,
+    match kind.subject() {
+        Subject::Drawing => {
+            let is_dxf = kind.format() == Format::Dxf;
+            spec.drawing.as_ref().is_some_and(|drawing| drawing.is_dxf() == is_dxf)
+        }
+        Subject::Prediction => spec.load.is_some(),
+        Subject::Spec
+        | Subject::Machine
+        | Subject::Seal
+        | Subject::Trace
+        | Subject::Outline
+        | Subject::Mask
+        | Subject::Pieces
+        | Subject::Frame
+        | Subject::Preview
+        | Subject::Scene
+        | Subject::Report => true,
     }
 }
 
@@ -112,17 +107,17 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
 ///
 /// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
 fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
-    let whole_design = |parts: Parts| parts.kinds().filter(|kind| is_of_spec(spec, *kind)).map(Output::new);
-    let mut outputs: Vec<Output> = whole_design(Parts::Sources).collect();
+    let mut outputs: Vec<Output> = Parts::Sources.whole_design(spec).collect();
     for kind in Parts::Programs.kinds() {
         programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
-        let of_sheet = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
-        outputs.extend(Parts::Sheets.kinds().map(of_sheet));
+        let part = OutputPart::Sheet(sheet.index);
+        let kinds = Parts::Sheets.kinds();
+        outputs.extend(kinds.iter().map(|kind| Output { part, ..Output::new(*kind) }));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
-            let outlines = Parts::Sheets.kinds().filter(|kind| kind.subject() == Subject::Outline);
-            outputs.extend(outlines.map(|kind| Output { valves: true, ..of_sheet(kind) }));
+            let outlines = kinds.iter().filter(|kind| kind.subject() == Subject::Outline);
+            outputs.extend(outlines.map(|kind| Output { part, valves: true, ..Output::new(*kind) }));
         }
     }
     if let Some(assembly) = design.assembly() {
@@ -132,12 +127,12 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     for first in design.firsts() {
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
             let part = OutputPart::Piece { piece: first.index, sheet: None };
-            let flat = |kind: &Kind| kind.subject() == Subject::Mask && kind.format() != Format::Stl;
-            outputs
-                .extend(Parts::Masks.kinds().filter(flat).map(|kind| Output { part, ..Output::new(kind) }));
+            let is_flat = |kind: &Kind| kind.subject() == Subject::Mask && kind.format() != Format::Stl;
+            let kinds = Parts::Masks.kinds().into_iter().filter(is_flat);
+            outputs.extend(kinds.map(|kind| Output { part, ..Output::new(kind) }));
         }
     }
-    outputs.extend(whole_design(Parts::Results));
+    outputs.extend(Parts::Results.whole_design(spec));
     outputs.retain(|output| request.includes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf => output.on_paper(design, fits).collect(),
@@ -180,12 +175,12 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) 
         // Also for the other face, if the spec requests it.
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
             for kind in Parts::Masks.kinds() {
-                let whole = Output { part, mirrored, ..Output::new(kind) };
+                let file = Output { part, mirrored, ..Output::new(kind) };
                 if kind.format() == Format::Stl && tiles.are_several() {
                     outputs
-                        .extend((1..=tiles.tiles.len()).map(|number| Output { tile: Some(number), ..whole }));
+                        .extend((1..=tiles.tiles.len()).map(|number| Output { tile: Some(number), ..file }));
                 } else if kind.subject() == Subject::Mask || tiles.are_several() {
-                    outputs.push(whole);
+                    outputs.push(file);
                 }
             }
         }
@@ -193,6 +188,6 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) 
     for plate in &assembly.frame.plates {
         let Some(lowest) = plate.numbers.first() else { continue };
         let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
-        outputs.extend(Parts::Plates.kinds().map(of_plate));
+        outputs.extend(Parts::Plates.kinds().into_iter().map(of_plate));
     }
 }
