@@ -53,7 +53,7 @@ fn is_refused(key: KeyPath) -> bool {
 
 #[test]
 fn a_key_that_only_stars_have_is_neither_in_the_form_nor_in_the_settings_of_a_drawing() {
-    let (first, groups, without) =
+    let (first, groups, hidden) =
         (entries("drawing", "first"), entries("drawing", "groups"), entries("drawing", "without"));
     let settings = drawing_settings(&Source::new("spec", DRAWN));
     let refused: Vec<&KeyPath> = key::ALL.iter().filter(|key| is_refused(**key)).collect();
@@ -61,7 +61,7 @@ fn a_key_that_only_stars_have_is_neither_in_the_form_nor_in_the_settings_of_a_dr
     for key in refused {
         let name = key.to_string();
         let is_shown = first.contains(&name)
-            || groups.iter().any(|group| group == key.section()) && !without.contains(&name);
+            || groups.iter().any(|group| group == key.section()) && !hidden.contains(&name);
         assert!(!is_shown, "web/page/form.js shows {name} for a drawing");
         let is_set = settings
             .iter()
