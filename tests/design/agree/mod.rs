@@ -37,8 +37,8 @@ fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     Some(list)
 }
 
-/// Keys that no random spec sets: only predictions or drawings have them, or they name something outside of the spec.
-const NOT_SET: [KeyPath; 12] = [
+/// Keys that no random spec sets: only predictions or drawings have them, or a case has them in another form.
+const NOT_SET: [KeyPath; 14] = [
     key::fabric::POISSON_RATIO,
     key::fabric::BENDING_STIFFNESS,
     key::fabric::STRETCH_STIFFNESS,
@@ -50,6 +50,8 @@ const NOT_SET: [KeyPath; 12] = [
     key::load::OBJECT_SHAPE,
     key::load::CHAMBERS,
     key::accuracy::RESPONSE,
+    key::mask::KIND,
+    key::build::WITH,
     key::build::LINK,
 ];
 
