@@ -67,7 +67,7 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
                 .clip_nonzero()
                 .end_path();
         }
-        let Pen { width, gray } = pen(*layer);
+        let PaperPen { width, gray } = pen(*layer);
         let name = Name(layer.name().as_bytes());
         let _ = content.begin_marked_content(name).set_line_width(width).set_stroke_gray(gray);
         for shape in shapes {
@@ -81,7 +81,7 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
 }
 
 /// The strokes of a layer on paper.
-struct Pen {
+struct PaperPen {
     /// mm
     width: f32,
     /// From 0, black, to 1, white.
@@ -89,10 +89,12 @@ struct Pen {
 }
 
 /// The pen of `layer`: cut lines are black and thin, seams and text are grey and wide.
-fn pen(layer: Layer) -> Pen {
+fn pen(layer: Layer) -> PaperPen {
     match layer {
-        Layer::PaperMark => Pen { width: 0.15, gray: 0.0 },
-        Layer::Label | Layer::Seal | Layer::SealInner | Layer::SealOuter => Pen { width: 0.25, gray: 0.5 },
+        Layer::PaperMark => PaperPen { width: 0.15, gray: 0.0 },
+        Layer::Label | Layer::Seal | Layer::SealInner | Layer::SealOuter => {
+            PaperPen { width: 0.25, gray: 0.5 }
+        }
         Layer::CutOutside
         | Layer::CutHole
         | Layer::CutValve
@@ -102,7 +104,7 @@ fn pen(layer: Layer) -> Pen {
         | Layer::MaskJoint
         | Layer::PostHole
         | Layer::FrameOpening
-        | Layer::FrameEdge => Pen { width: 0.1, gray: 0.0 },
+        | Layer::FrameEdge => PaperPen { width: 0.1, gray: 0.0 },
     }
 }
 

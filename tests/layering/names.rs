@@ -16,7 +16,6 @@ const REPEATED: &[(&str, &str)] = &[
         "Block",
         "the word for a line of G-code, for a part of a page, for equal columns of a study, for dense parts of a matrix",
     ),
-    ("Dialect", "how programs are written, and how they are read"),
     ("Drawing", "what is drawn, and what is read back"),
     ("Line", "a line of a program, and a straight segment"),
     ("Machine", "the machine of a profile, and the reader's model of it"),

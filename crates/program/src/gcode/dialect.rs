@@ -17,7 +17,7 @@ pub(super) struct Spelling {
     /// cmd_G1; Marlin, G0_G1.cpp, without `G0_FEEDRATE`; RepRapFirmware, GCodes.cpp, outside of CNC mode).
     pub(super) travel_at_feed: bool,
     /// What its display gets by M73.
-    progress: Progress,
+    progress: DisplayProgress,
     /// The comment that names the maker to its host; `None` where the host reads none, or is unknown. Such a host reads the time, too.
     ///
     /// Moonraker (components/file_manager/metadata.py) believes a time only of a file that names its maker and a date. There is no
@@ -28,7 +28,7 @@ pub(super) struct Spelling {
 
 /// What a display gets by M73 (Klipper: extras/display_status.py reads P alone).
 #[derive(Clone, Copy, Debug)]
-enum Progress {
+enum DisplayProgress {
     /// There is no such command.
     Nothing,
     /// The per cent done.
@@ -41,31 +41,40 @@ impl Spelling {
     /// The spelling of `dialect`.
     pub(super) fn new(dialect: Dialect) -> Self {
         match dialect {
-            Dialect::Generic => {
-                Self { dwell_early: false, travel_at_feed: true, progress: Progress::Nothing, maker: None }
-            }
-            Dialect::LinuxCnc | Dialect::FluidNc => {
-                Self { dwell_early: false, travel_at_feed: false, progress: Progress::Nothing, maker: None }
-            }
-            Dialect::Grbl | Dialect::GrblHal => {
-                Self { dwell_early: true, travel_at_feed: false, progress: Progress::Nothing, maker: None }
-            }
+            Dialect::Generic => Self {
+                dwell_early: false,
+                travel_at_feed: true,
+                progress: DisplayProgress::Nothing,
+                maker: None,
+            },
+            Dialect::LinuxCnc | Dialect::FluidNc => Self {
+                dwell_early: false,
+                travel_at_feed: false,
+                progress: DisplayProgress::Nothing,
+                maker: None,
+            },
+            Dialect::Grbl | Dialect::GrblHal => Self {
+                dwell_early: true,
+                travel_at_feed: false,
+                progress: DisplayProgress::Nothing,
+                maker: None,
+            },
             Dialect::Marlin => Self {
                 dwell_early: false,
                 travel_at_feed: true,
-                progress: Progress::PercentAndMinutes,
+                progress: DisplayProgress::PercentAndMinutes,
                 maker: None,
             },
             Dialect::Klipper => Self {
                 dwell_early: false,
                 travel_at_feed: true,
-                progress: Progress::Percent,
+                progress: DisplayProgress::Percent,
                 maker: Some(MOONRAKER),
             },
             Dialect::RepRapFirmware => Self {
                 dwell_early: false,
                 travel_at_feed: true,
-                progress: Progress::PercentAndMinutes,
+                progress: DisplayProgress::PercentAndMinutes,
                 maker: Some(MAKER),
             },
         }
@@ -92,9 +101,9 @@ impl Spelling {
     /// The display's progress, where there is a command for it: whole per cent done, whole minutes to go.
     pub(super) fn progress(self, percent: f64, minutes: f64) -> Option<String> {
         match self.progress {
-            Progress::Nothing => None,
-            Progress::Percent => Some(format!("M73 P{percent}")),
-            Progress::PercentAndMinutes => Some(format!("M73 P{percent} R{minutes}")),
+            DisplayProgress::Nothing => None,
+            DisplayProgress::Percent => Some(format!("M73 P{percent}")),
+            DisplayProgress::PercentAndMinutes => Some(format!("M73 P{percent} R{minutes}")),
         }
     }
 }

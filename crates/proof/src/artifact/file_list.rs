@@ -3,12 +3,9 @@
 //! The subject of a kind decides for which [`Parts`] of a design its files are made, so that each kind is made somewhere.
 
 use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
-use crate::artifact::output::{Output, OutputPart};
+use crate::artifact::output::{NGC, Output, OutputPart};
 use design::{Design, DrawnPiece, FlatPiece, StarAssembly};
 use spec::{Dialect, ProgramScope, Spec};
-
-/// The ending of programs for LinuxCNC.
-pub const NGC: &str = "ngc";
 
 /// The ending of programs in `dialect`.
 pub fn program_ending(dialect: Dialect) -> &'static str {

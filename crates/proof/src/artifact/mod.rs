@@ -4,9 +4,9 @@ mod file_list;
 mod kind;
 mod output;
 
-pub use file_list::{NGC, outputs, program_ending, too_large};
+pub use file_list::{outputs, program_ending, too_large};
 pub use kind::{Format, Kind, KindRequest, Subject};
-pub use output::{Output, OutputPart};
+pub use output::{NGC, Output, OutputPart};
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

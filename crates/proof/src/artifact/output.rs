@@ -1,9 +1,11 @@
 //! Outputs: one file of a design, with its name, title, caption and geometry.
 
-use crate::artifact::file_list::NGC;
 use crate::artifact::kind::{Format, Kind, Subject};
 use design::{CutEdge, Design, Drawing, FlatPiece, MaskPlate, Paper};
 use spec::Spec;
+
+/// The ending of programs for LinuxCNC.
+pub const NGC: &str = "ngc";
 
 /// The part of a design that a file shows, by its number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

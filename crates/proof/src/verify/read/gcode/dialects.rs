@@ -8,7 +8,7 @@ const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, lim
 const GRBL: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 };
 
 /// A row of the table: how a dialect reads lines, time and arcs. Every dialect writes every column.
-struct Rules {
+struct ReadingRules {
     line_length: usize,
     forbidden: &'static str,
     travel_at_feed: bool,
@@ -18,15 +18,22 @@ struct Rules {
 }
 
 /// The rules of a mill: its longest line, the step to which it rounds dwells up, s, and the arcs that it takes.
-const fn mill(line_length: usize, dwell_step: f64, arcs: ArcTolerance) -> Rules {
+const fn mill(line_length: usize, dwell_step: f64, arcs: ArcTolerance) -> ReadingRules {
     let dwell = DwellUnit::Seconds;
-    Rules { line_length, forbidden: "()!~?", travel_at_feed: false, dwell, dwell_step, arcs }
+    ReadingRules { line_length, forbidden: "()!~?", travel_at_feed: false, dwell, dwell_step, arcs }
 }
 
 /// The rules of a printer: its longest line. G4 P is in ms, G0 moves as G1.
-const fn printer(line_length: usize) -> Rules {
+const fn printer(line_length: usize) -> ReadingRules {
     let dwell = DwellUnit::Milliseconds;
-    Rules { line_length, forbidden: "()!~?*", travel_at_feed: true, dwell, dwell_step: 0.0, arcs: STRICTEST }
+    ReadingRules {
+        line_length,
+        forbidden: "()!~?*",
+        travel_at_feed: true,
+        dwell,
+        dwell_step: 0.0,
+        arcs: STRICTEST,
+    }
 }
 
 /// The rules of `dialect`.
@@ -39,9 +46,9 @@ const fn printer(line_length: usize) -> Rules {
 /// grblHAL: as GRBL, lines up to 256 (protocol.h). FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds
 /// (NutsBolts.cpp). Marlin without its options, Klipper without `[gcode_arcs]`, RepRapFirmware 3; Marlin's lines up to 95
 /// (`MAX_CMD_SIZE`).
-const fn rules(dialect: spec::Dialect) -> Rules {
+const fn rules(dialect: spec::Dialect) -> ReadingRules {
     match dialect {
-        spec::Dialect::Generic => Rules {
+        spec::Dialect::Generic => ReadingRules {
             line_length: 72,
             forbidden: "()!~?",
             travel_at_feed: true,
@@ -64,7 +71,7 @@ impl Dialect {
 
     /// The table of a controller of family `dialect`: its words from the vocabulary, its rules, comments from `;` to the line end.
     pub const fn new(dialect: spec::Dialect) -> Self {
-        let Rules { line_length, forbidden, travel_at_feed, dwell, dwell_step, arcs } = rules(dialect);
+        let ReadingRules { line_length, forbidden, travel_at_feed, dwell, dwell_step, arcs } = rules(dialect);
         Self {
             name: dialect.name(),
             line_length,
