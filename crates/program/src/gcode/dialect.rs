@@ -41,43 +41,23 @@ impl Spelling {
     /// The spelling of `dialect`.
     pub(super) fn new(dialect: Dialect) -> Self {
         match dialect {
-            Dialect::Generic => Self {
-                dwell_early: false,
-                travel_at_feed: true,
-                progress: DisplayProgress::Nothing,
-                maker: None,
-            },
-            Dialect::LinuxCnc | Dialect::FluidNc => Self {
-                dwell_early: false,
-                travel_at_feed: false,
-                progress: DisplayProgress::Nothing,
-                maker: None,
-            },
-            Dialect::Grbl | Dialect::GrblHal => Self {
-                dwell_early: true,
-                travel_at_feed: false,
-                progress: DisplayProgress::Nothing,
-                maker: None,
-            },
-            Dialect::Marlin => Self {
-                dwell_early: false,
-                travel_at_feed: true,
-                progress: DisplayProgress::PercentAndMinutes,
-                maker: None,
-            },
-            Dialect::Klipper => Self {
-                dwell_early: false,
-                travel_at_feed: true,
-                progress: DisplayProgress::Percent,
-                maker: Some(MOONRAKER),
-            },
-            Dialect::RepRapFirmware => Self {
-                dwell_early: false,
-                travel_at_feed: true,
-                progress: DisplayProgress::PercentAndMinutes,
-                maker: Some(MAKER),
-            },
+            Dialect::Generic => Self { travel_at_feed: true, ..Self::mill(false) },
+            Dialect::LinuxCnc | Dialect::FluidNc => Self::mill(false),
+            Dialect::Grbl | Dialect::GrblHal => Self::mill(true),
+            Dialect::Marlin => Self::printer(DisplayProgress::PercentAndMinutes, None),
+            Dialect::Klipper => Self::printer(DisplayProgress::Percent, Some(MOONRAKER)),
+            Dialect::RepRapFirmware => Self::printer(DisplayProgress::PercentAndMinutes, Some(MAKER)),
         }
+    }
+
+    /// The spelling of a mill: G0 has a speed of its own, and there is neither a display nor a host that reads comments.
+    fn mill(dwell_early: bool) -> Self {
+        Self { dwell_early, travel_at_feed: false, progress: DisplayProgress::Nothing, maker: None }
+    }
+
+    /// The spelling of a printer: dwells last exactly as long as they are written, G0 runs at the feed in force.
+    fn printer(progress: DisplayProgress, maker: Option<&'static str>) -> Self {
+        Self { dwell_early: false, travel_at_feed: true, progress, maker }
     }
 
     /// The comment that gives its host the time of a job of `seconds`; `None` where the host reads none.

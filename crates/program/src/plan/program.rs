@@ -89,7 +89,7 @@ impl Step {
 
     /// The point to which the step moves; `None` where it moves straight up or down, or not at all.
     pub fn end(&self) -> Option<Point> {
-        if let Self::Travel(to) = self { Some(*to) } else { self.pieces().last().map(Segment::end) }
+        if let Self::Travel(point) = self { Some(*point) } else { self.pieces().last().map(Segment::end) }
     }
 }
 
