@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     fn limits(dialect: &str) -> TravelLimits {
-        let (_, dialect) = Dialect::NAMES.iter().find(|(name, _)| *name == dialect).expect("a dialect");
+        let (_, dialect) = Dialect::ALL.iter().find(|(name, _)| *name == dialect).expect("a dialect");
         TravelLimits { dialect: *dialect, speed: 20.0, acceleration: Some(10.0) }
     }
 
