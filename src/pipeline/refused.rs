@@ -79,7 +79,7 @@ impl Mended {
                 }
             }
             // Without a hose, the ports of a drawing would be told to be missing.
-            ("inlet", _) if spec.drawing.is_none() => spec.inlet = None,
+            ("inlet", _) if spec.has_stars() => spec.inlet = None,
             ("sheet", "hole_diameter") => spec.sheet.hole_diameter = Length(0.0),
             ("sheet", "width" | "height") => (spec.sheet.width, spec.sheet.height) = (None, None),
             ("machine", "profile") => self.machine.bench.work_area = None,
