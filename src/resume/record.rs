@@ -252,8 +252,7 @@ mod tests {
     /// than the default.
     #[test]
     fn a_program_states_every_value_of_its_seal() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/every-feature.toml");
-        let text = std::fs::read_to_string(path).expect("a design");
+        let text = include_str!("../../tests/golden/every-feature.toml");
         let spec = spec::read(&Source::new("spec", text)).expect("valid").spec;
         let machine = Machine::builtin(&spec.machine.profile).expect("built in");
         let design = Design::new(&spec, &machine).expect("a gripper");
