@@ -1,10 +1,18 @@
 //! Times of sealing.
 
 use crate::pipeline::Forecast;
+use design::PressPlan;
 
-/// Time of all programs, s, without heating and pauses.
+/// Time of all programs, s, without heating and pauses; of a press the time of all pressings.
 pub fn sealing_time(forecast: &Forecast) -> f64 {
-    forecast.programs.iter().map(|program| program.time).sum()
+    let plan = PressPlan::new(&forecast.spec, &forecast.design);
+    plan.map_or_else(|| forecast.programs.iter().map(|program| program.time).sum(), |plan| plan.seconds)
+}
+
+/// Time of sealing: "13 h 02 min", or of a press "2 pressings of 10 s at 145 C and 2 bar".
+pub fn sealing_in_words(forecast: &Forecast) -> String {
+    let plan = forecast.spec.press.as_ref().zip(PressPlan::new(&forecast.spec, &forecast.design));
+    plan.map_or_else(|| hours(sealing_time(forecast)), |(press, plan)| plan.in_words(press))
 }
 
 /// "13 h 02 min"

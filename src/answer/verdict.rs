@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::answer::duration::{hours, sealing_time};
+use crate::answer::duration::sealing_in_words;
 use crate::pipeline::Forecast;
 use design::CutEdge;
 use forecast::drawn::prediction::ChamberPrediction;
@@ -54,7 +54,7 @@ fn sealable(forecast: &Forecast) -> String {
     let sizes = inflated_sizes(forecast);
     let has_pressure = forecast.spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
     let inflate = if has_pressure { "" } else { "; set a `pressure` in [load] to inflate it" };
-    let time = hours(sealing_time(forecast));
+    let time = sealing_in_words(forecast);
     let making = format!("{copies}{seams}, {time}, {:.0} x {:.0} mm", size.width(), size.height());
     if sizes.is_empty() {
         return format!("can be sealed: {making}{inflate}");

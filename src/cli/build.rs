@@ -157,6 +157,7 @@ fn build_one(
     verbosity: Verbosity,
 ) -> Result<PublishedOutput, Failure> {
     let loaded = Loaded::spoken(spec, verbosity)?;
+    args.kinds.refuse_programs(&loaded)?;
     let forecast = loaded.forecast(args.anyway)?;
     let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
     let kinds = request(args, &forecast, &target, verbosity);

@@ -84,6 +84,7 @@ fn check_one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&argument(spec));
+    args.kinds.refuse_programs(&loaded)?;
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(proven.built(), &request);

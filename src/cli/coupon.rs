@@ -71,6 +71,7 @@ impl Args {
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    loaded.with_programs("coupon")?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     if args.output.symlink_metadata().is_ok() {
         let text = format!("{} exists already; choose another name", shown(&args.output));

@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use crate::airtight;
-use crate::answer::hours;
+use crate::answer::{hours, sealing_in_words};
 use crate::cli::words::beyond;
 use crate::pipeline::{Forecast, Proven};
 use design::{COATING_ASSUMES, Design, DrawnPiece, DrawnPieces, FlatPiece, Plate, StarAssembly, StarDesign};
 use forecast::drawn::text::text as drawn_text;
 use forecast::report;
 use proof::artifact::Output;
-use spec::Spec;
 use spec::units::Readable;
+use spec::{MaskKind, Spec};
 
 /// The details of a check.
 pub(super) fn checked(forecast: &Forecast) -> String {
@@ -61,6 +61,10 @@ fn design(forecast: &Forecast) -> String {
     }
     text += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
     text.extend(design.drawn().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
+    if spec.press.is_some() {
+        let _ = writeln!(text, "sealed in {}", sealing_in_words(forecast));
+        return text;
+    }
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(text, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
@@ -108,7 +112,7 @@ fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
 /// Masks, coating and frame.
 fn materials(spec: &Spec, design: &StarAssembly) -> String {
     let mut text = String::new();
-    for placed in design.firsts() {
+    for placed in design.firsts().filter(|_| spec.mask.kind == MaskKind::Coating) {
         let part = design.part(placed);
         let [thin, thick] = part.mask.coating_um();
         let _ = writeln!(
@@ -123,7 +127,9 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         text += &printed(spec, part);
         let _ = writeln!(text, "  coating about {thin:.0} to {thick:.0} um thick");
     }
-    let _ = writeln!(text, "  the coating's thickness assumes {COATING_ASSUMES}");
+    if spec.mask.kind == MaskKind::Coating {
+        let _ = writeln!(text, "  the coating's thickness assumes {COATING_ASSUMES}");
+    }
     let (frame, stack) = (&design.frame, &design.stack);
     let _ = writeln!(
         text,

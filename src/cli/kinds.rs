@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::cli::failure::tell;
+use crate::cli::failure::{Failure, tell};
+use crate::cli::load::Loaded;
 use crate::cli::words::beyond;
 use crate::pipeline::{Built, Forecast};
 use design::Paper;
-use proof::artifact::{Kind, KindRequest, Output, too_large};
+use proof::artifact::{Format, Kind, KindRequest, Output, too_large};
 
 /// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]
@@ -25,6 +26,12 @@ impl Kinds {
     /// The kinds as the request that `artifact` reads.
     pub(super) fn request(&self) -> KindRequest {
         KindRequest { only: self.only.clone(), with: self.with.clone() }
+    }
+
+    /// Refuses programs for a heat press.
+    pub(super) fn refuse_programs(&self, loaded: &Loaded) -> Result<(), Failure> {
+        let program = self.only.iter().chain(&self.with).find(|kind| kind.format() == Format::Gcode);
+        program.map_or(Ok(()), |kind| loaded.with_programs(kind.name()))
     }
 
     /// Reports the kinds named in the options that the design of `built` does not have, and the files of `request` that are too large for

@@ -11,7 +11,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{SPECIAL, first_bytes, given_bytes, is_special, is_standard_input};
 use crate::cli::words::beyond;
 use crate::manifest::MANIFEST;
-use crate::pipeline::{Forecast, Planned, Proven, Sources, unfit_besides};
+use crate::pipeline::{Forecast, Planned, Proven, Sources, no_programs, unfit_besides};
 use design::{RefusalCode, Refusals, Warning, drawing_notes};
 use forecast::drawn::{MOST_UNKNOWNS, Watch};
 use proof::artifact::KindRequest;
@@ -156,6 +156,12 @@ impl Loaded {
     pub(super) fn unproven(&self, findings: Vec<Finding>) -> Failure {
         let (spec, profile) = (self.source.name.clone(), self.reading.spec.machine.profile.clone());
         Failure::Unproven(Unproven { findings, spec, profile })
+    }
+
+    /// Refuses programs for a heat press, which runs none; `subject` is what needs them.
+    pub(super) fn with_programs(&self, subject: &str) -> Result<(), Failure> {
+        let refusal: Refusals = no_programs(&self.reading.spec, subject).into_iter().collect();
+        refusal.or(()).map_err(|refusals| self.refused(refusals))
     }
 
     /// Refusals of the design as faults at their keys; prints the notes on its drawing, with -v all of them.

@@ -10,7 +10,7 @@ use jiff::{SignedDuration, Timestamp, Zoned};
 use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
-use crate::answer::{hours, overview_json, sealing_time, verdict};
+use crate::answer::{hours, overview_json, sealing_in_words, sealing_time, verdict};
 use crate::cli::details;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
@@ -18,7 +18,7 @@ use crate::cli::terminal::{width, wrapped};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::beyond;
 use crate::pipeline::{Forecast, Precaution, Proven};
-use design::{DrawnPiece, FlatPiece};
+use design::{DrawnPiece, FlatPiece, PressPlan};
 use forecast::ranges::shown::rounded;
 use proof::artifact::Kind;
 use spec::StarSpec;
@@ -56,7 +56,7 @@ pub(super) fn answer(
     show(&head(forecast))?;
     warn(notes.iter().map(|note| &note.text));
     // A build without a program has no sealing time.
-    if target.is_none() || proven.sealing_time().is_some() {
+    if target.is_none() || proven.sealing_time().is_some() || forecast.spec.press.is_some() {
         show(&work(forecast, now().as_ref()))?;
     }
     show(&target.map_or_else(|| in_memory(proven), |target| written(proven, target)))?;
@@ -141,8 +141,11 @@ fn in_words(star: &StarSpec) -> String {
     )
 }
 
-/// The sealing time and the machine.
+/// The sealing time and the machine; of a press the settings and the paper.
 fn work(forecast: &Forecast, start: Option<&Zoned>) -> Vec<OverviewRow> {
+    if let Some(plan) = PressPlan::new(&forecast.spec, &forecast.design) {
+        return pressing(forecast, &plan);
+    }
     let seconds = sealing_time(forecast);
     let end = start
         .and_then(|start| finish(start, seconds))
@@ -155,6 +158,30 @@ fn work(forecast: &Forecast, start: Option<&Zoned>) -> Vec<OverviewRow> {
     let sheets = format!("{number} of {}{area}", forecast.sheet_sizes());
     let seal = format!("{} at {}{}", hours(seconds), forecast.spec.seal.speed, end.unwrap_or_default());
     vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
+}
+
+/// The settings of a press, its sheets of fabric, and the paper for separators.
+fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
+    let papers = forecast.design.papers.first().map(|paper| {
+        let size = format!("{} x {} mm", rounded(paper.width), rounded(paper.height));
+        let separators: usize = forecast.design.papers.iter().map(|paper| paper.separators.len()).sum();
+        format!(
+            "{} in {} of {size}",
+            counted(separators, "separator"),
+            counted(forecast.design.papers.len(), "sheet")
+        )
+    });
+    let force = plan.settings.split_once(": ").map_or("", |(_, force)| force);
+    let number = forecast.design.sheets.len();
+    let mut rows = vec![
+        ("pressing", format!("{}; {force}", sealing_in_words(forecast))),
+        (
+            if number == 1 { "sheet" } else { "sheets" },
+            format!("{number} of {}, two layers each", forecast.sheet_sizes()),
+        ),
+    ];
+    rows.extend(papers.map(|papers| ("paper", papers)));
+    rows
 }
 
 /// The written files, the page to open, and the next command.
@@ -172,6 +199,8 @@ fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
+    let plan = named(proven, Kind::PressPlan).into_iter().next();
+    rows.extend(plan.map(|plan| ("print", format!("{plan}: the instructions for the press"))));
     rows
 }
 

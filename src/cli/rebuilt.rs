@@ -1,6 +1,6 @@
 //! One line for a rebuilt spec: the changed values, and their effect on the gripper.
 
-use crate::answer::{hours, sealing_time};
+use crate::answer::sealing_in_words;
 use crate::cli::load::Loaded;
 use crate::cli::words::beyond;
 use crate::pipeline::{Forecast, Precaution};
@@ -98,7 +98,7 @@ fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let figure = |name, value: Option<f64>, unit| value.map(|value| (name, rounded(value), unit));
     let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
     let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);
-    let sealing = ("sealing", hours(sealing_time(forecast)), "");
+    let sealing = ("sealing", sealing_in_words(forecast), "");
     let figures = [
         figure("force", verdict.and_then(|verdict| verdict.force_N), " N"),
         figure("carries", star.and_then(|star| star.payload_kg), " kg"),

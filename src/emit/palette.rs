@@ -28,14 +28,23 @@ pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
         | (Layer::Registration | Layer::PostHole, Colours::Ordered) => BLUE,
         (Layer::SealOuter | Layer::MaskJoint, Colours::One | Colours::Ordered) => GREEN,
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => CYAN,
-        (Layer::CutHole | Layer::CutValve | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => {
-            MAGENTA
-        }
-        (Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge, Colours::One | Colours::Ordered)
+        (
+            Layer::CutHole
+            | Layer::CutValve
+            | Layer::MaskWindow
+            | Layer::SeparatorWindow
+            | Layer::FrameOpening,
+            Colours::Ordered,
+        ) => MAGENTA,
+        (
+            Layer::CutOutside | Layer::MaskPlate | Layer::SeparatorEdge | Layer::FrameEdge,
+            Colours::One | Colours::Ordered,
+        )
         | (
             Layer::CutHole
             | Layer::CutValve
             | Layer::MaskWindow
+            | Layer::SeparatorWindow
             | Layer::FrameOpening
             | Layer::Registration
             | Layer::PostHole,

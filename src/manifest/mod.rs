@@ -4,13 +4,14 @@
 
 mod bill;
 mod predicted;
+mod pressed;
 
 use crate::manifest::bill::thousandths;
 use design::{Design, FlatPiece, StarAssembly};
 use forecast::prediction::Prediction;
 use program::plan::{Program, SeamReport};
 use sealed::PieceName;
-use spec::Spec;
+use spec::{MaskKind, Spec};
 
 pub use proof::manifest::{
     CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest, ManifestFile,
@@ -27,7 +28,15 @@ pub fn manifest_of(
     prediction: Option<&Prediction>,
 ) -> Manifest {
     let assembly = design.assembly();
-    let stars = assembly.map_or_else(Vec::new, |assembly| stars(spec, assembly, programs));
+    let stars = assembly.map_or_else(Vec::new, |assembly| match &spec.press {
+        Some(press) => pressed::stars(spec, press, assembly),
+        None => stars(spec, assembly, programs),
+    });
+    let pieces = match &spec.press {
+        Some(press) => pressed::pieces(press, design),
+        None => programs.iter().flat_map(pieces).collect(),
+    };
+    let coated = assembly.filter(|_| spec.mask.kind == MaskKind::Coating);
     let parts = || design.placed().iter().map(|placed| design.part(placed));
     let fabric = parts().map(|part| thousandths(part.fabric())).sum();
     let mass = parts().map(|part| part.mass(&spec.fabric).map(thousandths));
@@ -38,10 +47,10 @@ pub fn manifest_of(
         files: Vec::new(),
         posts: assembly.map_or_else(Vec::new, bill::posts),
         plates: assembly.map_or_else(Vec::new, bill::plates),
-        masks: assembly.map_or_else(Vec::new, |assembly| bill::masks(spec, assembly)),
+        masks: coated.map_or_else(Vec::new, |assembly| bill::masks(spec, assembly)),
         fabric_mm2: thousandths(fabric),
         mass_g: mass.sum::<Option<f64>>().map(thousandths),
-        pieces: programs.iter().flat_map(pieces).collect(),
+        pieces,
         stars,
         prediction: at_pressure.map(predicted::summary),
         only: Vec::new(),

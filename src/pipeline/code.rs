@@ -13,6 +13,7 @@ codes! {
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",
         MayNotHold "may-not-hold" "The gripper may not hold the object; see the numbers and the remedies.",
         Prediction "prediction" "The prediction has a wide range, or omits an effect; see the message.",
+        Pressing "pressing" "What a heat press must give, or what is to be tested before it is used; see the message.",
         Unfit "unfit" "The gripper does not meet its `load` section, and was accepted anyway.",
         UnknownFeed "unknown-feed" "Whether the machine can move as slowly as the seal needs is unknown; time the program of `feedcheck`.",
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",

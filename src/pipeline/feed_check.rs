@@ -2,7 +2,7 @@
 
 use crate::emit;
 use crate::manifest::{FeedCheckManifest, ManifestFile, Tool, sha256};
-use crate::pipeline::Sources;
+use crate::pipeline::{Sources, no_programs};
 use design::Refusals;
 use geom::Path;
 use program::plan;
@@ -40,6 +40,8 @@ pub fn feed_check(
     sources: Sources<'_>,
     name: &str,
 ) -> Result<ProvenFeedCheck, FeedCheckFault> {
+    let is_pressed: Refusals = no_programs(spec, "feedcheck").into_iter().collect();
+    is_pressed.or(()).map_err(FeedCheckFault::Refused)?;
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
     plan::feed_check_refusals(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;

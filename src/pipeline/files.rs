@@ -3,6 +3,7 @@
 use crate::emit;
 use crate::manifest::{Manifest, ManifestFile, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
+use design::PressPlan;
 use forecast::charts::charts;
 use forecast::pose::{self, PosedStar};
 use program::plan::Program;
@@ -61,9 +62,17 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
         }
-        Subject::Seal | Subject::Outline | Subject::Mask | Subject::Pieces | Subject::Frame => {
-            return drawing(forecast, output);
+        Subject::PressPlan => {
+            let plan = PressPlan::new(&forecast.spec, &forecast.design)?;
+            let page = plan.page(&forecast.spec.name, &forecast.design);
+            return Some(emit::pdf(&output.title(&forecast.spec.name), &[page]));
         }
+        Subject::Seal
+        | Subject::Outline
+        | Subject::Mask
+        | Subject::Pieces
+        | Subject::Frame
+        | Subject::Separator => return drawing(forecast, output),
     };
     Some(text.into_bytes())
 }

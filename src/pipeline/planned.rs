@@ -5,7 +5,7 @@ use design::{Design, Refusal, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::Program;
-use spec::{Machine, Spec};
+use spec::{Machine, Spec, Tool, key};
 
 /// A gripper that the machine can seal.
 #[derive(Clone, Debug)]
@@ -25,6 +25,9 @@ pub struct Planned {
 /// The programs of `design`, in which the inlet is the only opening for air.
 pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
     airtight::leaks(&spec, &machine, &design).or(())?;
+    if machine.tool == Tool::Press || spec.press.is_some() {
+        return pressed(spec, machine, design);
+    }
     // The size is checked before the programs are made: they may exceed the memory.
     let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
     too_many.or(())?;
@@ -33,6 +36,30 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
     refusals.extend(plan::pressed_beyond(&machine, &design));
     refusals.or(Planned { spec, machine, design, programs, traces })
+}
+
+/// A design that a press seals without programs.
+fn pressed(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
+    let is_press = machine.tool == Tool::Press;
+    let refusal = (is_press != spec.press.is_some()).then(|| {
+        let found = if is_press {
+            format!("{} is a heat press, and the spec has no [press]", machine.name)
+        } else {
+            format!("the spec has [press], and {} is no heat press", machine.name)
+        };
+        let remedy = "write profile = \"press\" in [machine], and the section [press]";
+        Refusal::new(key::machine::PROFILE, RefusalCode::NoPress, found, remedy)
+    });
+    let refusals: Refusals = refusal.into_iter().collect();
+    refusals.or(Planned { spec, machine, design, programs: Vec::new(), traces: Vec::new() })
+}
+
+/// The refusal of `subject`, which is made of programs, for a press that runs none; `None` for a machine with an iron.
+pub fn no_programs(spec: &Spec, subject: &str) -> Option<Refusal> {
+    let _ = spec.press.as_ref()?;
+    let found = format!("{subject} needs a program, and a heat press runs none");
+    let remedy = "ask for separator-svg, outline-svg or press-plan, or name a machine with an iron";
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, found, remedy))
 }
 
 /// A failed prediction, as a refusal at the key that causes it.

@@ -3,13 +3,13 @@
 use crate::airtight;
 use crate::pipeline::Forecast;
 use crate::pipeline::code::PrecautionCode;
-use design::SheetLayout;
+use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
 use program::plan::Pace;
-use spec::Machine;
 use spec::units::{Readable, Speed};
+use spec::{Machine, Tool};
 
 /// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
 /// or more, which gives about 5 mm/s.
@@ -51,6 +51,10 @@ impl Forecast {
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
         list.extend(fit_valves(self));
+        if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
+            list.extend(before_pressing(&plan));
+            return unique(list);
+        }
         if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
             list.extend(fast(self, spec));
             list.push(generic(self, spec));
@@ -82,6 +86,18 @@ impl Forecast {
         sizes.dedup();
         sizes.join(", ")
     }
+}
+
+/// What a press must give, and what is to be tested before it is used.
+fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
+    let force = format!(
+        "the press must give {} on the whole sheet, or seal smaller sheets one after another",
+        plan.settings.split_once("a force of ").map_or("", |(_, force)| force)
+    );
+    let peel =
+        "only a peel test of strips of this fabric shows whether temperature, time and pressure seal it"
+            .to_owned();
+    [force, peel].map(|text| Precaution::new(PrecautionCode::Pressing, text)).into()
 }
 
 /// `list` without duplicate texts.
@@ -162,10 +178,18 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
 
 /// The task to seal the valves to their sheet first.
 fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
+    let below = match forecast.machine.tool {
+        Tool::Iron => {
+            let height = Readable(forecast.machine.process.heights.travel.0);
+            format!("the tool passes {height} mm above the fabric between seams")
+        }
+        Tool::Press => {
+            "the valves must bear the heat of the plates, or foam with holes for them lies between".to_owned()
+        }
+    };
     let text = format!(
         "cut one sheet along the outline with valves, and seal the flange of each valve to it around its hole; lay it on \
-         the other, the valves upwards: the tool passes {} mm above the fabric between seams",
-        Readable(forecast.machine.process.heights.travel.0)
+         the other, the valves upwards: {below}"
     );
     let mut shapes = forecast.design.placed().iter().map(|placed| forecast.design.part(placed).shape());
     shapes.any(|shape| !shape.valves.is_empty()).then(|| Precaution::new(PrecautionCode::FitValve, text))

@@ -41,6 +41,8 @@ codes! {
         NoOverlap "no-overlap" "A leak: a loop closes without sealing any of it twice; make overlap larger.",
         NoPlate "no-plate" "The mask's plate cannot be made so much larger than the outline; make border smaller.",
         NoPrediction "no-prediction" "The mechanics has no solution for this spec; change the key shown, or delete its `load` section.",
+        NoPress "no-press" "The profile is a heat press and the spec has no [press], or the reverse; write both, or none.",
+        NoPrograms "no-programs" "A heat press runs no programs; ask for its paper and its plan, or name a machine with an iron.",
         NoRoomForBand "no-room-for-band" "A drawing leaves no room for a band between two edges; move them apart.",
         NoRoomForHoles "no-room-for-holes" "The registration holes do not fit on a tip, or on the flap of a drawing; make them smaller, or 0.",
         NoWindow "no-window" "Creep leaves nothing of the coating windows, or closes a port of a separator; make it smaller.",

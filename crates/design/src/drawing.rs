@@ -54,6 +54,10 @@ pub enum Layer {
     MaskWindow,
     /// The edge of a mask.
     MaskPlate,
+    /// The openings of a separator.
+    SeparatorWindow,
+    /// The edge of a separator.
+    SeparatorEdge,
     /// The joint of two pieces of a printed mask.
     MaskJoint,
     /// The holes for the frame's posts.
@@ -80,6 +84,8 @@ impl Layer {
             Self::Label => "label",
             Self::MaskWindow => "mask-window",
             Self::MaskPlate => "mask-plate",
+            Self::SeparatorWindow => "separator-window",
+            Self::SeparatorEdge => "separator-edge",
             Self::MaskJoint => "mask-joint",
             Self::PostHole => "post-hole",
             Self::FrameOpening => "frame-opening",
@@ -243,6 +249,31 @@ impl Drawing {
             (Layer::MaskWindow, shapes(&paths.windows)),
             (Layer::MaskPlate, shapes(&paths.pieces)),
         ]))
+    }
+
+    /// The separators on sheet of paper number `paper`, each with its piece's registration holes; `None` if there is no such sheet.
+    pub fn separators(design: &Design, paper: usize, edge: CutEdge) -> Option<Self> {
+        let sheet = design.papers.iter().find(|sheet| sheet.index == paper)?;
+        let (mut labels, mut holes, mut windows, mut edges) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for separator in &sheet.separators {
+            let placed = design.placed().iter().find(|placed| placed.index == separator.piece)?;
+            let (part, motion) = (design.part(placed), &separator.placement);
+            let Some(paper) = part.separator() else { continue };
+            let paths = if edge == CutEdge::Tool { &paper.tool } else { &paper.part };
+            let cut = part.cut(edge);
+            labels.extend(Shape::figure(paper.labels(placed).iter().map(|path| motion.path(path)).collect()));
+            holes.extend(registration(cut.holes, motion, cut.kerf));
+            windows.extend(paths.windows.iter().map(|path| Shape::Path(motion.path(path))));
+            edges.extend(paths.pieces.iter().map(|path| Shape::Path(motion.path(path))));
+        }
+        let layers = vec![
+            (Layer::Label, labels),
+            (Layer::Registration, holes),
+            (Layer::SeparatorWindow, windows),
+            (Layer::SeparatorEdge, edges),
+        ];
+        Some(Self { origin: Origin::LowerLeft, width: sheet.width, height: sheet.height, layers })
     }
 
     /// A distinct plate of the frame.

@@ -20,7 +20,7 @@ mod words;
 use std::fmt::Write;
 use std::sync::Arc;
 
-pub use cut::{DrawnCut, DrawnSeparator};
+pub use cut::DrawnCut;
 pub use label::DrawnLabels;
 pub use measure::{Measure, MeasureForm};
 pub use pieces::DrawnPieces;
@@ -30,12 +30,12 @@ use crate::drawn::inner::within_air;
 use crate::drawn::layer_name::layer_names;
 use crate::drawn::proposal::LeftOut;
 use crate::star_seam::MOUTH_OVERRUN;
-use crate::{Circle, Refusal, RefusalCode, Refusals, Warning};
+use crate::{Circle, PaperSeparator, Refusal, RefusalCode, Refusals, Warning};
 use artwork::{Artwork, Fault, Figure, Format, Options, Place, Unit};
 use geom::{Bounds, Path};
 use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
 use spec::units::Readable;
-use spec::{DrawingSpec, LayerRole, MaskKind, Spec, key};
+use spec::{DrawingSpec, LayerRole, Spec, key};
 
 /// Width of the tube by which labels are sized where no passage is narrow, mm.
 const LABEL_WIDTH: f64 = 15.0;
@@ -65,7 +65,7 @@ pub struct DrawnPiece {
     /// The texts on it, which are written and not cut.
     pub labels: DrawnLabels,
     /// The paper that keeps the air from welding, if the spec has it.
-    pub separator: Option<DrawnSeparator>,
+    pub separator: Option<PaperSeparator>,
     /// Width of the narrowest passage, mm; `None` where none is narrower than `least_passage`.
     pub passage: Option<f64>,
     /// A narrower passage is warned of, mm.
@@ -105,8 +105,7 @@ impl DrawnPiece {
         }
         let tool = part.for_tool(spec.cut.kerf.0, &registration)?;
         let labels = label::labels(&shape, &room, &registration, allowance);
-        let is_separated = spec.mask.kind == MaskKind::Separator;
-        let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air)).transpose()?;
+        let separator = PaperSeparator::new(spec, &shape, &air)?;
         let edges = air.edges_to_mouths(shape.band);
         let air = air.closed().to_vec();
         let piece = Self {

@@ -1,6 +1,6 @@
 //! The flat piece of every product: seams, tube, cut and fabric.
 
-use crate::{Circle, CutEdge, DrawnCut, DrawnPiece, SHEETS, StarDesign};
+use crate::{Circle, CutEdge, DrawnCut, DrawnPiece, PaperSeparator, SHEETS, StarDesign};
 use geom::{Path, Point};
 use sealed::SealedShape;
 use spec::Fabric;
@@ -72,6 +72,14 @@ impl<'a> FlatPiece<'a> {
                 };
                 PieceCut { outside, inside, valves, holes: &piece.registration, kerf: *kerf }
             }
+        }
+    }
+
+    /// The paper that keeps its air from welding in a heat press, if the spec has one.
+    pub fn separator(self) -> Option<&'a PaperSeparator> {
+        match self {
+            Self::Star(star) => star.separator.as_ref(),
+            Self::Drawn(piece) => piece.separator.as_ref(),
         }
     }
 

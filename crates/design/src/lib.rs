@@ -25,10 +25,13 @@ mod offset;
 mod outline;
 mod overview;
 mod paper;
+mod paper_sheet;
 mod part;
 mod placement;
+mod press_plan;
 mod refusal;
 mod registration;
+mod separator;
 mod sheet;
 mod solid;
 mod stack;
@@ -45,8 +48,8 @@ pub use contour::{Contour, Part, Side};
 pub use cut::{CutEdge, CutLines};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use drawn::{
-    DrawnCut, DrawnLabels, DrawnPiece, DrawnPieces, DrawnSeparator, LayerProposal, Measure, MeasureForm,
-    RoledFigure, drawing_notes, figures, propose_layers, roled_figures, unit_question,
+    DrawnCut, DrawnLabels, DrawnPiece, DrawnPieces, LayerProposal, Measure, MeasureForm, RoledFigure,
+    drawing_notes, figures, propose_layers, roled_figures, unit_question,
 };
 pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, opening, shut_reach};
@@ -57,9 +60,12 @@ pub use mask_tiles::{MaskTile, MaskTiles};
 pub use object::{Meeting, Object, does_not_enter, room};
 pub use outline::{Circle, Outline, cut_area};
 pub use paper::{Page as PaperPage, Paper};
+pub use paper_sheet::{PaperSheet, PlacedSeparator};
 pub use part::{Realised, SHEETS, StarDesign, realised_radius};
 pub use placement::{PlacedPart, SheetLayout};
+pub use press_plan::{PlanSection, PressPlan};
 pub use refusal::{Refusal, Refusals, Warning};
+pub use separator::PaperSeparator;
 pub use sheet::{Design, Product};
 pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
 pub use stand::Stand;

@@ -49,17 +49,17 @@ impl TileGrid<'_> {
 }
 
 /// Everything smaller by `scale`, then moved by `shift`.
-struct Scaled {
-    scale: f64,
-    shift: Vec2,
+pub(super) struct Scaled {
+    pub(super) scale: f64,
+    pub(super) shift: Vec2,
 }
 
 impl Scaled {
-    fn point(&self, p: Point) -> Point {
+    pub(super) fn point(&self, p: Point) -> Point {
         Point::ORIGIN + (p - Point::ORIGIN) * self.scale + self.shift
     }
 
-    fn path(&self, path: &Path) -> Path {
+    pub(super) fn path(&self, path: &Path) -> Path {
         let segment = |segment: &Segment| -> Segment {
             match segment {
                 Segment::Line(line) => Line::new(self.point(line.start), self.point(line.end)).into(),

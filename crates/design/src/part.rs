@@ -1,8 +1,11 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
 use crate::placement::footprint;
+use crate::separator::air_of_star;
 use crate::star_seam::star_seam;
-use crate::{Channel, CutLines, MaskPlate, MaskTiles, Outline, Refusal, Refusals, Side, Star};
+use crate::{
+    Channel, CutLines, MaskPlate, MaskTiles, Outline, PaperSeparator, Refusal, Refusals, Side, Star,
+};
 use geom::{Bounds, Path};
 use sealed::{Port, SealedShape};
 use spec::units::Length;
@@ -29,6 +32,8 @@ pub struct StarDesign {
     pub cut: CutLines,
     /// The tiles in which the mask is printed: one, until it is divided for a bed.
     pub tiles: MaskTiles,
+    /// The paper that keeps the air from welding in a heat press, if the spec has one.
+    pub separator: Option<PaperSeparator>,
 }
 
 /// The radius that the band makes of a hinge, and the cusp that it leaves.
@@ -90,7 +95,9 @@ impl StarDesign {
                     valves: Vec::new(),
                 };
                 let tiles = MaskTiles::whole(&mask);
-                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, tiles })
+                let air = air_of_star(&star, &realised_edges, channel.as_ref());
+                let separator = PaperSeparator::new(spec, &shape, &air)?;
+                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, tiles, separator })
             }
             _ => Err(refusals.each_once()),
         }

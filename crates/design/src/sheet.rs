@@ -1,7 +1,10 @@
 //! Sheets: the whole design, its pieces placed side by side on fabric.
 
+use std::borrow::Cow;
+
+use crate::paper_sheet::paper_sheets;
 use crate::placement::SheetLayout;
-use crate::{DrawnPieces, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
+use crate::{DrawnPieces, FlatPiece, PaperSheet, PlacedPart, Refusals, StarAssembly, Warning};
 use geom::Point;
 use sealed::PlacedPiece;
 use spec::{Machine, ProductKind, Spec};
@@ -13,6 +16,8 @@ pub struct Design {
     pub product: Product,
     /// The sheets.
     pub sheets: Vec<SheetLayout>,
+    /// The sheets of paper with the separators for a heat press; none for an iron.
+    pub papers: Vec<PaperSheet>,
     /// The warnings before it is made.
     pub warnings: Vec<Warning>,
 }
@@ -32,16 +37,20 @@ impl Design {
     /// # Errors
     /// Every reason for which a piece cannot be made or does not fit on a sheet.
     pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
-        match (spec.product(), &spec.drawing) {
+        let machine = &*with_plates(spec, machine);
+        let (product, sheets, warnings) = match (spec.product(), &spec.drawing) {
             (ProductKind::Drawing, Some(drawing)) => {
                 let (pieces, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
-                Ok(Self { product: Product::Drawing(Box::new(pieces)), sheets, warnings })
+                (Product::Drawing(Box::new(pieces)), sheets, warnings)
             }
             (ProductKind::Stars, _) | (ProductKind::Drawing, None) => {
                 let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
-                Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
+                (Product::Stars(Box::new(assembly)), sheets, warnings)
             }
-        }
+        };
+        let design = Self { product, sheets, papers: Vec::new(), warnings };
+        let papers = paper_sheets(spec, machine, &design)?;
+        Ok(Self { papers, ..design })
     }
 
     /// The stars with stack and frame; `None` for another product.
@@ -122,4 +131,14 @@ impl Design {
     pub fn on_sheet(&self, sheet: usize) -> impl Iterator<Item = &PlacedPart> {
         self.placed().iter().filter(move |placed| placed.sheet == sheet)
     }
+}
+
+/// `machine` with the plates of the press of `spec` as the area that it reaches.
+fn with_plates<'m>(spec: &Spec, machine: &'m Machine) -> Cow<'m, Machine> {
+    let Some([width, depth]) = spec.press.as_ref().and_then(|press| press.plates) else {
+        return Cow::Borrowed(machine);
+    };
+    let mut pressed = machine.clone();
+    pressed.bench.work_area = Some((width, depth));
+    Cow::Owned(pressed)
 }

@@ -68,6 +68,6 @@ pub use polyline::{of_polyline, polyline};
 pub use sealing::{Sealing, sealed_shape};
 pub use seam::{LaidSeam, PlacedPiece, Port, Role, SealedShape, Seam, Valve, frame, laid_seams};
 pub use separate::separate;
-pub use separator::{AirSide, Separator};
+pub use separator::{AirSide, Separator, Tongue};
 pub use sketch::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch};
 pub use topology::{Chamber, Leak, Topology};

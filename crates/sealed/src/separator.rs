@@ -7,7 +7,7 @@ use crate::mouth::Mouth;
 use crate::offset_graph::merged;
 use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
 use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
-use geom::{Line, Path, Point, Segment, SegmentIndex, intersections};
+use geom::{Line, Path, Point, Segment, SegmentIndex, Vec2, intersections};
 
 /// The air of a sketch: its edges and the seams inside.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,7 +53,47 @@ impl Separator {
     }
 }
 
+/// The part of a separator that leaves the piece through a port, by which the paper is pulled out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tongue {
+    /// Number of the port, from 0.
+    pub port: usize,
+    /// The middle of its end, on the cut.
+    pub end: Point,
+    /// Outwards, of length 1.
+    pub out: Vec2,
+    /// Width of the port, mm; the paper is narrower by twice the creep.
+    pub width: f64,
+    /// Length of the channel, mm.
+    pub length: f64,
+}
+
 impl AirSide {
+    /// The air within closed `edges`, which lies on their left, with straight channels that end at `tongues`, on the edges. `closed` are
+    /// the edges without the channels.
+    pub fn of_edges(edges: Vec<Path>, closed: Vec<Path>, tongues: &[Tongue]) -> Self {
+        let mouth = |tongue: &Tongue| {
+            let Tongue { port, end, out, width, length } = *tongue;
+            // A point behind the mouth, inside the channel, from where the way out is sought.
+            Mouth { port, at: end, out, half: width / 2.0, length, beyond: 0.0, depth: length.min(1.0) }
+        };
+        Self { edges, closed, seams: Vec::new(), mouths: tongues.iter().map(mouth).collect() }
+    }
+
+    /// The tongues of a separator, which end on the cut.
+    pub fn tongues(&self, cut: &Path) -> Vec<Tongue> {
+        let tongue = |mouth: &Mouth| Tongue {
+            port: mouth.port,
+            end: mouth.point(way_out(mouth, cut, 0.0), 0.0),
+            out: mouth.out,
+            width: 2.0 * mouth.half,
+            length: mouth.length,
+        };
+        let mut tongues: Vec<Tongue> = self.mouths.iter().map(tongue).collect();
+        tongues.sort_by_key(|tongue| tongue.port);
+        tongues
+    }
+
     /// Closed edges of the air, which lies on their left. The channel of a port runs past its mouth.
     pub fn edges(&self) -> &[Path] {
         &self.edges

@@ -117,6 +117,10 @@ keys! {
         WIDTH "width", HEIGHT "height", COPIES "copies", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }
     machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
+    press "press" {
+        TEMPERATURE "temperature", TIME "time", PRESSURE "pressure", LAYERS "layers", CREEP "creep", PAPER "paper",
+        PLATES "plates",
+    }
     load "load" {
         PRESSURE "pressure", OBJECT_DIAMETER "object_diameter", OBJECT_RADIUS "object_radius", OBJECT_HEIGHT "object_height",
         OBJECT_SHAPE "object_shape", FRICTION "friction", FRICTION_LEAST "friction_least", FRICTION_MOST "friction_most",

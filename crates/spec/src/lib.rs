@@ -28,6 +28,7 @@ mod message;
 mod model;
 mod motion;
 mod name;
+mod press;
 mod profile;
 mod raw;
 mod reading;
@@ -58,7 +59,7 @@ pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
     Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
-    Limits, Machine, Process, Script,
+    Limits, Machine, Process, Script, Tool,
 };
 pub use message::comma;
 pub use model::{
@@ -67,6 +68,7 @@ pub use model::{
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};
+pub use press::{PAPER_CREEP, PRESS_PROFILE, PaperSize, Press, PressLayer};
 pub use profile::{
     CONTACT, LEAST_ACCELERATION, builtin_machine, builtin_machines, limits_set_by, read_machine,
     usual_profile,

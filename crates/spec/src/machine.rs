@@ -10,6 +10,8 @@ pub struct Machine {
     pub name: String,
     /// One line for `stargrip-cam machines`.
     pub description: String,
+    /// The tool that seals.
+    pub tool: Tool,
     /// The language and abilities of the controller.
     pub controller: Controller,
     /// The process of sealing: heights, ramp, speeds.
@@ -20,6 +22,48 @@ pub struct Machine {
     pub motion: Motion,
     /// The profile's own lines.
     pub script: Script,
+}
+
+impl Machine {
+    /// A heat press, which has neither a controller nor an iron.
+    pub(crate) fn press(name: String, description: String) -> Self {
+        let controller = Controller {
+            dialect: Dialect::Generic,
+            line_length: 72,
+            comments: Comments::Semicolon,
+            arcs: false,
+            dwell: Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) },
+            heating: Heating::Operator,
+            thumbnails: false,
+        };
+        let heights = Heights { contact: Length(0.0), travel: Length(0.0), park: Length(0.0) };
+        let process = Process {
+            spring_loaded: false,
+            heights,
+            ramp: Length(0.0),
+            travel_speed: Speed(1.0),
+            trace_speed: Speed(1.0),
+        };
+        Self {
+            name,
+            description,
+            tool: Tool::Press,
+            controller,
+            process,
+            bench: Bench::default(),
+            motion: Motion::UNKNOWN,
+            script: Script::default(),
+        }
+    }
+}
+
+/// The tool that seals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tool {
+    /// A hot tip that programs lead along the seams.
+    Iron,
+    /// Two plates, which press a whole sheet at once and run no program. The controller of such a machine means nothing.
+    Press,
 }
 
 /// The language and abilities of the controller: enough to write a program for it, and to read one.

@@ -1,6 +1,7 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
 use crate::accuracy::Accuracy;
+use crate::press::Press;
 use crate::units::{
     Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure, Speed, Temperature,
 };
@@ -31,6 +32,8 @@ pub struct Spec {
     pub sheet: Sheet,
     /// `[machine]`
     pub machine: MachineChoice,
+    /// `[press]`; `None` where the machine moves an iron.
+    pub press: Option<Press>,
     /// `[load]`; `None` if no prediction is requested.
     pub load: Option<Load>,
     /// `[accuracy]`

@@ -17,7 +17,7 @@ use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
 use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
-use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, stars};
+use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, press, stars};
 use std::ops::Range;
 
 /// A spec that was read, and the warnings about its text.
@@ -146,6 +146,8 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let drawing = drawing::read(reader);
     let (stars, inlet) = stars::read(reader, drawing.is_some());
     let cut = read_cut(&mut reader.section("cut"));
+    let machine = read_choice(&mut reader.section("machine"));
+    let press = press::read(reader, &machine.profile);
     let spec = Spec {
         name,
         fabric,
@@ -157,7 +159,8 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         frame: read_frame(&mut reader.section("frame"), cut.kerf),
         cut,
         sheet: read_sheet(&mut reader.section("sheet")),
-        machine: read_choice(&mut reader.section("machine")),
+        machine,
+        press,
         load: load::read_load(&mut reader.section("load")),
         accuracy: read_accuracy(&mut reader.section("accuracy")),
         build: read_build(&mut reader.section("build")),
@@ -176,9 +179,9 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
         let message = format!("`copies` is {} without a [drawing]", spec.sheet.copies);
         conflict(key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
     }
-    if spec.has_stars() && spec.mask.kind == MaskKind::Separator {
-        let message = "`kind` is \"separator\" without a [drawing]".to_owned();
-        conflict(key::mask::KIND, message, "stars are coated: \"coating\"");
+    if spec.press.is_some() && spec.mask.kind == MaskKind::Separator && spec.mask.creep.0 > 0.0 {
+        let message = format!("`creep` in [mask] is {} beside [press]", spec.mask.creep);
+        conflict(key::mask::CREEP, message, "the paper of a press has `creep` in [press]: write it there");
     }
     let of_stacks = [Extra::FramePdf, Extra::FrameStl];
     for extra in spec.build.with.iter().filter(|extra| !spec.has_stars() && of_stacks.contains(extra)) {
@@ -218,7 +221,7 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
 pub const TOXIC: Temperature = Temperature(300.0);
 
 /// Between iron and fabric lies a release layer of PTFE: above 260 C it ages, from 300 C its fumes are toxic.
-fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
+pub(super) fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
     let message = format!("`temperature` is {temperature}");
     if temperature.0 >= TOXIC.0 {
         let allowed = "must be less than 300 C: from there the PTFE release layer gives off toxic fumes";

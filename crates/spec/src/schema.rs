@@ -50,6 +50,7 @@ const MORE: &str = r#"
 schema = 1  # the version of this format
 name = "my-machine"  # what programs and messages call it
 description = "GRBL on a router"  # one line for `stargrip-cam machines`
+# tool = "iron"  # "iron", which programs lead along the seams, or "press", which takes no other key of these
 # heating = "operator"
 # line_length = 72
 # comments = "semicolon"

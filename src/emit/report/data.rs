@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
 use crate::emit::report::subject::Report;
-use design::{Design, StarDesign};
+use design::{Design, PressPlan, StarDesign};
 use forecast::case::Case;
 use forecast::drawn::HOW;
 use forecast::drawn::prediction::DrawnPrediction;
@@ -71,6 +71,12 @@ pub(super) fn data(report: &Report<'_>) -> Value {
     // Only a drawing's page has these.
     if design.drawn().is_some() {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
+    }
+    // Only the page for a press has these: what an iron's page says of speeds and times is said of the press.
+    if let Some((press, plan)) = spec.press.as_ref().zip(PressPlan::new(spec, design)) {
+        data["press"] = json!({ "words": plan.in_words(press) });
+        data["seal"]["temperature"] = json!(press.temperature.to_string());
+        data["seal"]["speed"] = json!(press.pressure_in_bar());
     }
     data
 }

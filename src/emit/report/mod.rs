@@ -9,9 +9,12 @@ mod page;
 mod polyline;
 mod subject;
 
+use design::PressPlan;
+
 pub use subject::Report;
 
 /// The report as a page for browsers.
 pub fn report(report: &Report<'_>) -> String {
-    page::page(&report.spec.name, &data::data(report), report.scene, report.code)
+    let plan = PressPlan::new(report.spec, report.design);
+    page::page(&report.spec.name, &data::data(report), report.scene, report.code, plan.as_ref())
 }

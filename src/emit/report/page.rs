@@ -4,6 +4,9 @@
 //! can end the place they are in, and no address of a network can be read out of them. A policy in the head lets the browser run
 //! the page's own scripts and styles, which it names by their hashes, and fetch nothing at all.
 
+use std::borrow::Cow;
+use std::fmt::Write;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -11,6 +14,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::link::LinkCode;
+use design::PressPlan;
 use program::text::filled;
 
 const FRAME: &str = include_str!("../../../templates/report/page.html");
@@ -37,12 +41,25 @@ const SCRIPTS: [&str; 12] = [
     include_str!("../../../templates/report/start.js"),
 ];
 
+/// The script of the page for a heat press, behind the others but the last, which starts the page.
+const PRESS_SCRIPT: &str = include_str!("../../../templates/report/press.js");
+
 /// Compression level of the scene, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
 const PACKED: u8 = 6;
 
-/// The page for a design called `name`, with its figures, its scene, and the code of the link to its spec.
-pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCode>) -> String {
-    let (style, script) = (joined(&STYLES), joined(&SCRIPTS));
+/// The page for a design called `name`, with its figures, its scene, the code of the link to its spec, and the plan of a press.
+pub(super) fn page(
+    name: &str,
+    data: &Value,
+    scene: &[u8],
+    code: Option<&LinkCode>,
+    plan: Option<&PressPlan>,
+) -> String {
+    let mut scripts = SCRIPTS.to_vec();
+    if plan.is_some() {
+        scripts.insert(SCRIPTS.len() - 1, PRESS_SCRIPT);
+    }
+    let (style, script) = (joined(&STYLES), joined(&scripts));
     let policy = format!(
         "default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
         hash(&script),
@@ -61,7 +78,39 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCod
         ("SCRIPT", script.as_str()),
         ("CODE", code.as_str()),
     ];
-    filled(FRAME, ["{{", "}}"], &parts)
+    let frame = plan.map_or(Cow::Borrowed(FRAME), |plan| Cow::Owned(press_frame(plan)));
+    filled(&frame, ["{{", "}}"], &parts)
+}
+
+/// The frame with the plan of a press, without what is about programs and an iron.
+fn press_frame(plan: &PressPlan) -> String {
+    let mut html = format!(
+        "<section id=\"press\" aria-labelledby=\"press-title\">\n<h2 id=\"press-title\">Pressing</h2>\n<p class=\"lead\">{}</p>\n",
+        text(&plan.settings)
+    );
+    for section in &plan.sections {
+        let _ = write!(html, "<h3>{}</h3>\n<ol>\n", text(section.heading));
+        for line in &section.lines {
+            let _ = writeln!(html, "<li>{}</li>", text(line));
+        }
+        html.push_str("</ol>\n");
+    }
+    html.push_str("</section>\n\n");
+    // Text of a spec must not look like a place that is filled in.
+    let html = html.replace("{{", "{ {");
+    let changes = [
+        ("<section id=\"seal\"", format!("{html}<section id=\"seal\" hidden")),
+        (
+            "<section aria-labelledby=\"before-title\"",
+            "<section hidden aria-labelledby=\"before-title\"".to_owned(),
+        ),
+        (
+            "<section aria-labelledby=\"sealing-title\"",
+            "<section hidden aria-labelledby=\"sealing-title\"".to_owned(),
+        ),
+        ("<a href=\"#seal\">Sealing</a>", "<a href=\"#press\">Pressing</a>".to_owned()),
+    ];
+    changes.iter().fold(FRAME.to_owned(), |frame, (from, to)| frame.replacen(from, to, 1))
 }
 
 /// Width of a printed page, in modules of 0.5 mm, which phones read from paper.
@@ -149,7 +198,7 @@ mod tests {
         #[test]
         fn no_words_of_a_spec_get_out_of_their_place(words in hostile()) {
             let data = json!({ "name": words, words.clone(): [words] });
-            let (page_of_words, plain) = (page(&words, &data, b"glb", None), page("", &json!({}), b"glb", None));
+            let (page_of_words, plain) = (page(&words, &data, b"glb", None, None), page("", &json!({}), b"glb", None, None));
             for mark in ["<", ">", "://"] {
                 prop_assert_eq!(page_of_words.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
             }
@@ -162,7 +211,7 @@ mod tests {
 
     #[test]
     fn the_policy_names_the_very_scripts_and_styles() {
-        let whole_page = page("x", &json!({}), b"glb", None);
+        let whole_page = page("x", &json!({}), b"glb", None, None);
         for (from, to) in [("<style>", "</style>"), ("<script>", "</script>")] {
             prop_assert_hash(&whole_page, between(&whole_page, from, to));
         }

@@ -5,7 +5,7 @@
 use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
 use crate::artifact::output::{NGC, Output, OutputPart};
 use design::{Design, DrawnPiece, FlatPiece, StarAssembly};
-use spec::{Dialect, ProgramScope, Spec};
+use spec::{Dialect, MaskKind, ProgramScope, Spec};
 
 /// The ending of programs in `dialect`.
 pub fn program_ending(dialect: Dialect) -> &'static str {
@@ -46,6 +46,8 @@ enum Parts {
     Masks,
     /// Each plate of the frame.
     Plates,
+    /// Each sheet of paper with separators.
+    Papers,
     /// The whole design: its results, at the end of the list.
     Results,
 }
@@ -60,7 +62,8 @@ impl Parts {
             Subject::Seal | Subject::Outline | Subject::Preview => Self::Sheets,
             Subject::Mask | Subject::Pieces => Self::Masks,
             Subject::Frame => Self::Plates,
-            Subject::Prediction | Subject::Scene | Subject::Report => Self::Results,
+            Subject::Separator => Self::Papers,
+            Subject::PressPlan | Subject::Prediction | Subject::Scene | Subject::Report => Self::Results,
         }
     }
 
@@ -86,6 +89,7 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
             spec.drawing.as_ref().is_some_and(|drawing| drawing.is_dxf() == is_dxf)
         }
         Subject::Prediction => spec.load.is_some(),
+        Subject::PressPlan => spec.press.is_some(),
         Subject::Spec
         | Subject::Machine
         | Subject::Seal
@@ -94,6 +98,7 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
         | Subject::Mask
         | Subject::Pieces
         | Subject::Frame
+        | Subject::Separator
         | Subject::Preview
         | Subject::Scene
         | Subject::Report => true,
@@ -105,7 +110,8 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
 /// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
 fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
     let mut outputs: Vec<Output> = Parts::Sources.whole_design(spec).collect();
-    for kind in Parts::Programs.kinds() {
+    // A press runs no programs.
+    for kind in Parts::Programs.kinds().into_iter().filter(|_| spec.press.is_none()) {
         programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
@@ -120,8 +126,12 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     if let Some(assembly) = design.assembly() {
         of_assembly(spec, assembly, &mut outputs);
     }
+    for paper in &design.papers {
+        let part = OutputPart::Paper(paper.index);
+        outputs.extend(Parts::Papers.kinds().into_iter().map(|kind| Output { part, ..Output::new(kind) }));
+    }
     // Equal copies have one separator. It is thin paper: no solid.
-    for first in design.firsts() {
+    for first in design.firsts().filter(|_| design.papers.is_empty()) {
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
             let part = OutputPart::Piece { piece: first.index, sheet: None };
             let is_flat = |kind: &Kind| kind.subject() == Subject::Mask && kind.format() != Format::Stl;
@@ -132,6 +142,7 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     outputs.extend(Parts::Results.whole_design(spec));
     outputs.retain(|output| request.includes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
+        Format::Pdf if output.kind == Kind::PressPlan => Vec::from_iter(fits.then_some(output)),
         Format::Pdf => output.on_paper(design, fits).collect(),
         Format::Toml
         | Format::Gcode
@@ -170,7 +181,11 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, outputs: &mut Vec<Output>) 
         let tiles = &assembly.part(placed).tiles;
         let part = OutputPart::Star { star: placed.index, sheet: None };
         // Also for the other face, if the spec requests it.
-        for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
+        let faces = match spec.mask.kind {
+            MaskKind::Coating => 1 + usize::from(spec.mask.mirror),
+            MaskKind::Separator => 0,
+        };
+        for mirrored in [false, true].into_iter().take(faces) {
             for kind in Parts::Masks.kinds() {
                 let file = Output { part, mirrored, ..Output::new(kind) };
                 if kind.format() == Format::Stl && tiles.are_several() {

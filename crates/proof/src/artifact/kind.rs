@@ -29,6 +29,10 @@ spec::choices! {
     Pieces: "pieces",
     /// A plate of the frame.
     Frame: "frame",
+    /// The papers between the sheets of fabric in a heat press.
+    Separator: "separator",
+    /// The instructions for a heat press.
+    PressPlan: "press-plan",
     /// A picture of the design.
     Preview: "preview",
     /// The prediction; only for a spec with a load.
@@ -135,6 +139,14 @@ kinds! {
     MaskPdf: "mask-pdf", Mask as Pdf;
     /// A coating mask as a solid.
     MaskStl: "mask-stl", Mask as Stl;
+    /// The papers between the sheets of fabric in a heat press.
+    SeparatorSvg: "separator-svg", Separator as Svg;
+    /// The papers between the sheets of fabric in a heat press.
+    SeparatorDxf: "separator-dxf", Separator as Dxf;
+    /// The papers between the sheets of fabric on paper, at 1:1.
+    SeparatorPdf: "separator-pdf", Separator as Pdf;
+    /// The instructions for a heat press, one page.
+    PressPlan: "press-plan", PressPlan as Pdf;
     /// Assembly of the pieces of a printed mask.
     PiecesSvg: "pieces-svg", Pieces as Svg;
     /// A plate of the frame.
@@ -173,6 +185,8 @@ impl Kind {
             | Subject::Mask
             | Subject::Pieces
             | Subject::Frame
+            | Subject::Separator
+            | Subject::PressPlan
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
@@ -184,9 +198,13 @@ impl Kind {
     pub fn is_by_bytes(self) -> bool {
         match self.subject() {
             Subject::Preview | Subject::Scene | Subject::Report => true,
-            Subject::Seal | Subject::Outline | Subject::Mask | Subject::Pieces | Subject::Frame => {
-                self.format() == Format::Pdf
-            }
+            Subject::Seal
+            | Subject::Outline
+            | Subject::Mask
+            | Subject::Pieces
+            | Subject::Frame
+            | Subject::Separator
+            | Subject::PressPlan => self.format() == Format::Pdf,
             Subject::Spec | Subject::Machine | Subject::Drawing | Subject::Trace | Subject::Prediction => {
                 false
             }
@@ -261,6 +279,7 @@ mod tests {
             let subject = kind.subject().name();
             let name = match kind.format() {
                 Format::Toml | Format::Json | Format::Html => subject.to_owned(),
+                Format::Pdf if kind.subject() == Subject::PressPlan => subject.to_owned(),
                 format => format!("{subject}-{}", format.ending()),
             };
             assert_eq!(kind.name(), name);

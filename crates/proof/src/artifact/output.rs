@@ -30,6 +30,8 @@ pub enum OutputPart {
     },
     /// A plate of the frame, of equal ones the lowest.
     Plate(usize),
+    /// All separators on a sheet of paper.
+    Paper(usize),
 }
 
 impl OutputPart {
@@ -38,7 +40,7 @@ impl OutputPart {
         match self {
             Self::Sheet(sheet) => Some(sheet),
             Self::Star { sheet, .. } | Self::Piece { sheet, .. } => sheet,
-            Self::Design | Self::Plate(_) => None,
+            Self::Design | Self::Plate(_) | Self::Paper(_) => None,
         }
     }
 
@@ -57,6 +59,11 @@ impl OutputPart {
         if let Self::Plate(plate) = self { Some(plate) } else { None }
     }
 
+    /// The number of the sheet of paper.
+    pub fn paper(self) -> Option<usize> {
+        if let Self::Paper(paper) = self { Some(paper) } else { None }
+    }
+
     /// The number of the star or piece that is sealed as a whole.
     pub fn sealed(self) -> Option<usize> {
         self.star().or(self.piece())
@@ -70,6 +77,7 @@ impl OutputPart {
             Self::Star { star, .. } => format!("star-{star}-"),
             Self::Piece { piece, .. } => format!("piece-{piece}-"),
             Self::Plate(plate) => format!("plate-{plate}-"),
+            Self::Paper(paper) => format!("paper-{paper}-"),
         }
     }
 }
@@ -136,7 +144,8 @@ impl Output {
                 | OutputPart::Sheet(_)
                 | OutputPart::Star { .. }
                 | OutputPart::Piece { .. }
-                | OutputPart::Plate(_),
+                | OutputPart::Plate(_)
+                | OutputPart::Paper(_),
             ) => {
                 format!("{}: {name}", self.stem())
             }
@@ -155,8 +164,11 @@ impl Output {
             Kind::MaskPdf => match self.part {
                 OutputPart::Piece { piece, .. } => Some(format!("SEPARATOR PIECE {piece}")),
                 OutputPart::Star { star, .. } => Some(MaskPlate::caption(star, self.mirrored)),
-                OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Plate(_) => None,
+                OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Plate(_) | OutputPart::Paper(_) => {
+                    None
+                }
             },
+            Kind::SeparatorPdf => Some(format!("SEPARATORS PAPER {}", self.part.paper()?)),
             Kind::Spec
             | Kind::Machine
             | Kind::DrawingSvg
@@ -170,6 +182,9 @@ impl Output {
             | Kind::MaskSvg
             | Kind::MaskDxf
             | Kind::MaskStl
+            | Kind::SeparatorSvg
+            | Kind::SeparatorDxf
+            | Kind::PressPlan
             | Kind::PiecesSvg
             | Kind::FrameSvg
             | Kind::FrameDxf
@@ -191,7 +206,9 @@ impl Output {
                 Some(format!("mask of star {star}, {side}{tile}: {name}"))
             }
             OutputPart::Plate(plate) => Some(format!("frame plate {plate}: {name}")),
-            OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Piece { .. } => None,
+            OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Piece { .. } | OutputPart::Paper(_) => {
+                None
+            }
         }
     }
 
@@ -207,6 +224,8 @@ impl Output {
             | Subject::Trace
             | Subject::Outline
             | Subject::Pieces
+            | Subject::Separator
+            | Subject::PressPlan
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
@@ -255,6 +274,7 @@ impl Output {
                 }
                 None => Drawing::mask(design.assembly()?, self.part.star()?, self.mirrored, self.edge()),
             },
+            Subject::Separator => Drawing::separators(design, self.part.paper()?, self.edge()),
             Subject::Pieces => Drawing::pieces(design.assembly()?, self.part.star()?, self.mirrored),
             Subject::Frame => {
                 let design = design.assembly()?;
@@ -271,6 +291,7 @@ impl Output {
             | Subject::Machine
             | Subject::Drawing
             | Subject::Trace
+            | Subject::PressPlan
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene

@@ -95,6 +95,9 @@ pub struct ManifestFile {
     /// The number of its piece of a printed mask, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub piece: Option<usize>,
+    /// The sheet of paper whose separators it shows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paper_sheet: Option<usize>,
     /// The paper that it is laid out for; absent for one page as large as the drawing needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paper: Option<Paper>,
@@ -189,6 +192,7 @@ impl ManifestFile {
             copy: part.piece(),
             plate: part.plate(),
             piece: tile,
+            paper_sheet: part.paper(),
             paper: paper.filter(|paper| paper.name().is_some()),
             mirrored,
             valves,
@@ -199,13 +203,15 @@ impl ManifestFile {
     pub fn output(&self) -> Output {
         let Self { kind, sheet, star, copy, plate, piece: tile, paper, mirrored, valves, .. } = *self;
         let part = match (star, copy, plate, sheet) {
+            _ if self.paper_sheet.is_some() => OutputPart::Paper(self.paper_sheet.unwrap_or(1)),
             (Some(star), ..) => OutputPart::Star { star, sheet },
             (None, Some(piece), ..) => OutputPart::Piece { piece, sheet },
             (None, None, Some(plate), _) => OutputPart::Plate(plate),
             (None, None, None, Some(sheet)) => OutputPart::Sheet(sheet),
             (None, None, None, None) => OutputPart::Design,
         };
-        let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
+        let is_printed = kind.format() == Format::Pdf && kind != Kind::PressPlan;
+        let paper = if is_printed { paper.or(Some(Paper::Large)) } else { paper };
         let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
         Output { kind, part, tile, paper, mirrored, valves, ngc }
     }

@@ -7,8 +7,17 @@ macro_rules! builtin {
 }
 
 /// Name and text of each.
-const BUILTIN: &[(&str, &str)] =
-    builtin!["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+const BUILTIN: &[(&str, &str)] = builtin![
+    "generic",
+    "linuxcnc",
+    "grbl",
+    "grblhal",
+    "fluidnc",
+    "marlin",
+    "klipper",
+    "reprapfirmware",
+    "press"
+];
 
 /// The names of the profiles that come with the program.
 pub fn builtin_machines() -> impl Iterator<Item = &'static str> {

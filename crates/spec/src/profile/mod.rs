@@ -15,7 +15,7 @@ mod script;
 use crate::FaultCode;
 use crate::faults::Faults;
 use crate::foreign::Document;
-use crate::machine::{Machine, Script};
+use crate::machine::{Machine, Script, Tool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
 use crate::profile::motion::read_motion;
@@ -44,7 +44,7 @@ pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
 /// Takes a profile's keys out of the document of `reader`.
 pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut root = reader.root();
-    root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);
+    root.require(&[("schema", "1"), ("name", "\"my machine\"")]);
     read_schema(&mut root, 1);
     let name = root.name().unwrap_or_default();
     let description = root.checked_text("description", FaultCode::Name, |text| {
@@ -52,6 +52,12 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
         is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
     let description = description.unwrap_or_default();
+    let tools = [("iron", Tool::Iron), ("press", Tool::Press)];
+    let tool = root.choice("tool", &tools).unwrap_or(Tool::Iron);
+    if tool == Tool::Press {
+        return Machine::press(name, description);
+    }
+    root.require(&[("dialect", "\"generic\"")]);
     let mut controller = read_controller(&mut root);
     let tip = read_tip(&mut root);
     controller.dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
@@ -59,7 +65,7 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let bench = read_bench(reader);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
     let mut machine =
-        Machine { name, description, controller, process, bench, motion, script: Script::default() };
+        Machine { name, description, tool, controller, process, bench, motion, script: Script::default() };
     machine.script = read_script(reader, &machine);
     machine
 }

@@ -21,8 +21,12 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     let (single, ordered) = match layer {
         Layer::Seal | Layer::SealInner => (BLUE, BLUE),
         Layer::SealOuter | Layer::MaskJoint => (GREEN, GREEN),
-        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
-        Layer::CutHole | Layer::CutValve | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),
+        Layer::CutOutside | Layer::MaskPlate | Layer::SeparatorEdge | Layer::FrameEdge => (RED, RED),
+        Layer::CutHole
+        | Layer::CutValve
+        | Layer::MaskWindow
+        | Layer::SeparatorWindow
+        | Layer::FrameOpening => (RED, MAGENTA),
         Layer::Registration | Layer::PostHole => (RED, BLUE),
         Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };

@@ -139,6 +139,7 @@ fn file(
             Subject::Spec
             | Subject::Machine
             | Subject::Drawing
+            | Subject::PressPlan
             | Subject::Preview
             | Subject::Scene
             | Subject::Report,
@@ -161,7 +162,8 @@ fn file(
             | Subject::Outline
             | Subject::Mask
             | Subject::Pieces
-            | Subject::Frame),
+            | Subject::Frame
+            | Subject::Separator),
             format,
         ) => {
             let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };

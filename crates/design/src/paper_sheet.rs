@@ -1,0 +1,142 @@
+//! Sheets of paper for a heat press: the separator of every piece, where it is cut out.
+//!
+//! Each separator has the registration holes of its piece around it. The sheet is laid on the pins that hold the fabric, and what is
+//! left of it is lifted off: the separators stay in their places.
+
+use crate::placement::{Placement, place};
+use crate::{Design, PaperSeparator, PlacedPart, Refusal, RefusalCode, Refusals};
+use geom::{Bounds, Isometry};
+use spec::units::{Length, Readable, tenths_up};
+use spec::{Machine, MaskKind, PaperSize, Sheet, Spec, key};
+
+/// One sheet of paper with its separators.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PaperSheet {
+    /// Number of the sheet of paper, from 1.
+    pub index: usize,
+    /// Extent along X.
+    pub width: f64,
+    /// Extent along Y.
+    pub height: f64,
+    /// The separators on it, in the order of their pieces.
+    pub separators: Vec<PlacedSeparator>,
+}
+
+/// One separator where it is cut out of paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedSeparator {
+    /// Number of its piece, from 1.
+    pub piece: usize,
+    /// From the piece's frame to that of the paper.
+    pub placement: Isometry,
+}
+
+/// Free strip along the border of paper without a name, mm: rollers and clamps of plotters hold it there.
+const MARGIN: f64 = 5.0;
+/// Distance between separators with their holes, mm.
+const GAP: f64 = 3.0;
+/// Strip of paper around a registration hole, mm: less tears out on the pin.
+const AROUND_HOLE: f64 = 3.0;
+
+/// The sheets of paper for `design`; none where no paper goes between its sheets, or where each drawn piece has a file of its own.
+///
+/// # Errors
+/// A separator that does not fit on the paper of `spec`, with the size that it needs.
+pub(super) fn paper_sheets(
+    spec: &Spec,
+    machine: &Machine,
+    design: &Design,
+) -> Result<Vec<PaperSheet>, Refusals> {
+    if spec.press.is_none() && !(spec.has_stars() && spec.mask.kind == MaskKind::Separator) {
+        return Ok(Vec::new());
+    }
+    let placed = design.placed();
+    let paper = spec.press.as_ref().and_then(|press| press.paper);
+    let Some(paper) = paper else {
+        let sheet = |layout: &crate::SheetLayout| PaperSheet {
+            index: layout.index,
+            width: layout.width,
+            height: layout.height,
+            separators: design
+                .on_sheet(layout.index)
+                .map(|piece| PlacedSeparator { piece: piece.index, placement: piece.placement })
+                .collect(),
+        };
+        return Ok(design.sheets.iter().map(sheet).collect());
+    };
+    let (sheet, rest) = (sheet_of(paper), Machine { bench: spec::Bench::default(), ..machine.clone() });
+    let boxes: Vec<Bounds> = placed.iter().map(|piece| extent(design, piece)).collect();
+    let refused =
+        design.firsts().filter_map(|first| too_large(first, &boxes[first.index - 1], paper, &sheet));
+    refused.collect::<Refusals>().or(())?;
+    let (places, sheets) = place(&boxes, &sheet, &rest)?;
+    let on_sheet = |number: usize| {
+        let pieces = placed.iter().zip(&places).filter(move |(_, (sheet, _))| *sheet == number);
+        pieces.map(|(piece, (_, placement)): (&PlacedPart, &Placement)| PlacedSeparator {
+            piece: piece.index,
+            placement: *placement,
+        })
+    };
+    let papers = sheets.iter().map(|layout| PaperSheet {
+        index: layout.index,
+        width: layout.width,
+        height: layout.height,
+        separators: on_sheet(layout.index).collect(),
+    });
+    Ok(papers.collect())
+}
+
+/// The room for separators on `paper`. Of paper with a name it is what a printer prints of it, so that each sheet is one page.
+fn sheet_of(paper: PaperSize) -> Sheet {
+    let ([width, height], margin) = match paper {
+        PaperSize::A4 => (crate::Paper::A4.window(), 0.0),
+        PaperSize::Letter => (crate::Paper::Letter.window(), 0.0),
+        PaperSize::A3 | PaperSize::Custom(..) => (paper.sides(), MARGIN),
+    };
+    Sheet {
+        width: Some(Length(width)),
+        height: Some(Length(height)),
+        copies: 1,
+        margin: Length(margin),
+        gap: Length(GAP),
+        turn: true,
+        hole_diameter: Length(0.0),
+    }
+}
+
+/// The box that the separator of a piece and its registration holes take on paper, in the piece's frame.
+fn extent(design: &Design, piece: &PlacedPart) -> Bounds {
+    let part = design.part(piece);
+    let edges = part.separator().into_iter().flat_map(|paper: &PaperSeparator| &paper.tool.pieces);
+    let holes = part
+        .cut(crate::CutEdge::Part)
+        .holes
+        .iter()
+        .map(|hole| Bounds::of_points([hole.center]).grown(hole.diameter / 2.0 + AROUND_HOLE));
+    edges.map(geom::Path::bounds).chain(holes).fold(Bounds::EMPTY, Bounds::union)
+}
+
+/// The refusal of a separator that does not fit on the paper, turned or not.
+fn too_large(piece: &PlacedPart, bounds: &Bounds, paper: PaperSize, sheet: &Sheet) -> Option<Refusal> {
+    let room = |side: Option<Length>| side.map_or(0.0, |side| side.0 - 2.0 * sheet.margin.0);
+    let (width, height) = (room(sheet.width), room(sheet.height));
+    let fits = |w: f64, h: f64| w <= width && h <= height;
+    if fits(bounds.width(), bounds.height()) || fits(bounds.height(), bounds.width()) {
+        return None;
+    }
+    let size = |w: f64, h: f64| format!("{} x {} mm", Readable(w), Readable(h));
+    let (needed, margins) = ([bounds.width(), bounds.height()].map(tenths_up), 2.0 * MARGIN);
+    let [w, h] = paper.sides();
+    let fault = format!(
+        "the separator of {} with its registration holes needs {}; paper of {} has room for {}",
+        piece.name(),
+        size(needed[0], needed[1]),
+        size(w, h),
+        size(width.max(0.0), height.max(0.0)),
+    );
+    let remedy = format!(
+        "write paper = \"{}\" or larger, or delete `paper` to print on pages that are taped together",
+        size(needed[0] + margins, needed[1] + margins)
+    );
+    Some(Refusal::new(key::press::PAPER, RefusalCode::SheetTooSmall, fault, remedy))
+}
