@@ -30,6 +30,7 @@ fn designs() -> Vec<(String, String)> {
     let folder = |name: &str| fs::read_dir(Path::new(ROOT).join(name)).expect("designs/");
     let mut designs: Vec<(String, String)> = folder("designs")
         .chain(folder("designs/drawings"))
+        .chain(folder("designs/press"))
         .map(|entry| entry.expect("an entry").path())
         .chain([Path::new(ROOT).join("tests/golden/every-feature.toml")])
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))

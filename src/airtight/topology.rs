@@ -58,7 +58,9 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let mut leaks: Refusals = shape_leaks(shape, is_star).into_iter().collect();
     let mut weaknesses = Vec::new();
     let closure = |seam| closure(spec, machine, (seam, is_star), &mut leaks, &mut weaknesses);
-    let loops = shape.seams.iter().map(closure).collect();
+    // A press makes all of a loop at once: it has neither a start nor an overlap.
+    let is_ironed = spec.press.is_none();
+    let loops = shape.seams.iter().filter(|_| is_ironed).map(closure).collect();
     let pairs =
         || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
     let center_distance = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
@@ -81,10 +83,9 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     }
     let inlet = shape.ports.first().map(|_| shape.port_width(0).unwrap_or(0.0));
     let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
-    let starts_apart = is_star.then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
-    if let Some(distance) =
-        starts_apart.filter(|center_distance| *center_distance < 2.0 * band + spec.seal.overlap.0)
-    {
+    let starts_apart =
+        (is_star && is_ironed).then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
+    if let Some(distance) = starts_apart.filter(|distance| *distance < 2.0 * band + spec.seal.overlap.0) {
         weaknesses.push(format!("the two loops start only {distance:.1} mm from each other"));
     }
     let (inlets, valves) = (shape.ports.len(), shape.valves.len());

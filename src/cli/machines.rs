@@ -8,7 +8,7 @@ use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
 use program::plan::actual_speed;
-use spec::{Machine, Motion};
+use spec::{Machine, Motion, Tool};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]
@@ -71,14 +71,23 @@ fn list(machines: &[Machine]) -> String {
     let mut text = String::new();
     for machine in machines {
         let _ = writeln!(text, "{:15} {}", machine.name, machine.description);
-        let _ = writeln!(text, "{:15}   at {SLOW} mm/s: {}", "", ability(&machine.motion));
+        let ability = if machine.tool == Tool::Press { NO_PROGRAM.to_owned() } else { at_slow(machine) };
+        let _ = writeln!(text, "{:15}   {ability}", "");
     }
     text
 }
 
 fn json(machines: &[Machine]) -> String {
-    let machine_json = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(&machine.motion) });
-    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(machine_json).collect::<Vec<_>>() }))
+    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": if machine.tool == Tool::Press { NO_PROGRAM.to_owned() } else { ability(&machine.motion) } });
+    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
+}
+
+/// What is said of a machine that no program moves.
+const NO_PROGRAM: &str = "no program: `time` and `temperature` in [press]";
+
+/// The behaviour at the seal speed of the paper.
+fn at_slow(machine: &Machine) -> String {
+    format!("at {SLOW} mm/s: {}", ability(&machine.motion))
 }
 
 /// The behaviour of a machine at a commanded speed of 0.1 mm/s.

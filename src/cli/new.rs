@@ -14,7 +14,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::words::beyond;
 use crate::cli::{defaults, progress, schema};
 use artwork::{Format, Unit};
-use design::{LayerProposal, Refusals, propose_layers, unit_question};
+use design::{Layer, LayerProposal, Refusals, propose_layers, unit_question};
 use spec::units::Readable;
 use spec::{self, LayerRole, Source, shortened};
 
@@ -182,7 +182,8 @@ fn in_words(proposal: &LayerProposal) -> String {
     if let Some(rest) = beyond(faults.len(), LISTED_FAULTS) {
         let _ = writeln!(lines, "left out: {rest} more faulty elements");
     }
-    if !layers.iter().any(|(_, role, _)| matches!(role, LayerRole::Port | LayerRole::Valve)) {
+    let is_own = layers.iter().any(|(layer, ..)| layer == Layer::SealOuter.name());
+    if !is_own && !layers.iter().any(|(_, role, _)| matches!(role, LayerRole::Port | LayerRole::Valve)) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
     let [width, height] = size.map(Readable);

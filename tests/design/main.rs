@@ -11,6 +11,7 @@ mod hostile;
 mod layers;
 mod links;
 mod pictures;
+mod pressed;
 mod published;
 mod readers;
 mod remedies;

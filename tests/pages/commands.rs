@@ -106,7 +106,7 @@ fn what_is_not_run_is_known() {
 fn run(page: &Page) -> Vec<String> {
     let pieces = page.pieces();
     let dir = tempfile::tempdir().expect("a directory");
-    for folder in ["designs", "designs/drawings"] {
+    for folder in ["designs", "designs/drawings", "designs/press"] {
         fs::create_dir(dir.path().join(folder)).expect("made");
         let files =
             fs::read_dir(home().join(folder)).expect("a directory").map(|file| file.expect("a file").path());

@@ -12,6 +12,7 @@ mod layer_name;
 mod loops;
 mod marks;
 mod measure;
+mod own_seal;
 mod pieces;
 mod proposal;
 mod roles;
@@ -313,11 +314,13 @@ pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
 fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, Vec<String>), Refusals> {
     let artwork = read(spec, drawing)?;
     roles::refusals(&artwork, drawing).or(())?;
-    let sketch = roles::sketch(&artwork, drawing);
+    let mut sketch = roles::sketch(&artwork, drawing);
+    let own_seams = own_seal::complete(&mut sketch, &artwork, drawing, &rules(spec, drawing));
     if sketch.air.is_empty() && sketch.seams.is_empty() {
         return Err(nothing_drawn(&artwork, drawing.is_dxf()).into());
     }
     let mut notes = roles::notes(&artwork, drawing);
+    notes.extend(own_seams);
     notes.extend(unusual_size(&sketch));
     Ok((sketch, measure::measures(&artwork, drawing), notes))
 }

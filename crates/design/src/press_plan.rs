@@ -116,7 +116,12 @@ const LEADING: f64 = 1.7;
 
 /// `text` in capitals, in lines of at most `room` mm. Signs without strokes are left out.
 fn wrapped(text: &str, room: f64, height: f64) -> Vec<String> {
-    let plain = text.to_uppercase().replace(['(', ')', '"'], "").replace('\u{b2}', "2").replace(';', ",");
+    let plain = text
+        .to_uppercase()
+        .replace(" (", ", ")
+        .replace([')', '"'], "")
+        .replace('\u{b2}', "2")
+        .replace(';', ",");
     let mut lines = vec![String::new()];
     for word in plain.split(' ') {
         let line = lines.last().map_or("", String::as_str);
@@ -157,14 +162,15 @@ fn picture(design: &Design, top: f64) -> Vec<Path> {
         paths.extend(holes.flat_map(|hole| {
             hole.paths().iter().map(|path| small.path(&placed.placement.path(path))).collect::<Vec<_>>()
         }));
-        for tongue in part.separator().into_iter().flat_map(|paper| &paper.tongues) {
-            let end = small.point(placed.placement.point(tongue.end));
-            let text = label(placed.kind, placed.index);
-            paths.extend(lettered(&text, end + Vec2::new(1.0, 1.0), 2.2));
-        }
+        let text = label(placed.kind, placed.index);
+        let middle = small.point(placed.placement.point(part.middle()));
+        paths.extend(lettered(&text, middle - Vec2::new(width(&text, NUMBER), NUMBER) * 0.5, NUMBER));
     }
     paths
 }
+
+/// Height of a piece's number in the picture, mm.
+const NUMBER: f64 = 2.5;
 
 /// "S1" for star 1, as on its tongue.
 fn label(kind: &str, index: usize) -> String {
@@ -192,13 +198,11 @@ fn preparation(spec: &Spec, design: &Design, press: &Press) -> Vec<String> {
         .iter()
         .map(|sheet| format!("{} x {} mm", Readable(sheet.width), Readable(sheet.height)))
         .collect();
-    let number = 2 * sheets.len();
     let hole = spec.sheet.hole_diameter;
-    let mut lines =
-        vec![format!("Cut {} of fabric, two of each size: {}.", counted(number, "sheet"), sheets.join(", "))];
+    let mut lines = vec![format!("Cut two equal sheets of fabric for each pressing: {}.", sheets.join(", "))];
     if hole.0 > 0.0 {
         lines.push(format!(
-            "Print the outlines at 100 percent, measure the ruler. Punch the holes of {hole} through both sheets of fabric. Do not cut the outlines yet."
+            "Print the outlines at 100 percent, and measure the ruler. Punch the holes of {hole} through both sheets of fabric. Do not cut the outlines yet."
         ));
     }
     let (papers, is_nested) = (design.papers.len(), press.paper.is_some());
@@ -212,7 +216,7 @@ fn preparation(spec: &Spec, design: &Design, press: &Press) -> Vec<String> {
         None => "paper as large as the fabric".to_owned(),
     };
     lines.push(format!(
-        "Take {} of {size}: baking paper or silk paper, at most 0.1 mm thick. Punch the holes, then cut windows, then separators. Leave them in the sheet with a bit of tape.",
+        "Take {} of {size}: baking paper or silk paper, at most 0.1 mm thick. Punch the holes, then cut the windows, then around the separators, but for some bridges that keep the sheet whole.",
         counted(papers, "sheet"),
     ));
     if is_nested {
@@ -253,7 +257,7 @@ fn layers(design: &Design, press: &Press) -> Vec<String> {
                     .collect();
                 let of_first = if design.sheets.len() > 1 { " (first pressing)" } else { "" };
                 format!(
-                    "Separators {}{of_first}: lay the paper on the pins, numbers up, then lift off all but the separators.",
+                    "Separators {}{of_first}: lay the paper on the pins, numbers up, cut the bridges, and lift off all but the separators.",
                     names.join(", ")
                 )
             }
@@ -282,21 +286,22 @@ fn pressing(design: &Design, press: &Press, area: f64, force: f64) -> Vec<String
 
 fn finish(spec: &Spec, design: &Design) -> Vec<String> {
     let mut lines = vec!["Cut along the outlines, holes first.".to_owned()];
-    for placed in design.firsts() {
-        let part = design.part(placed);
-        let Some(paper) = part.separator() else { continue };
-        let alike = design.placed().iter().filter(|other| other.distinct == placed.distinct);
-        let names: Vec<String> = alike.map(|other| label(other.kind, other.index)).collect();
-        let tongues = paper.tongues.iter().map(|tongue| place_of(tongue, placed.placement.point(tongue.end)));
-        let ways: Vec<String> = tongues.collect();
-        lines.push(match ways.len() {
-            0 => format!("{}: there is no port, so the paper stays inside.", names.join(", ")),
-            _ => format!(
-                "{}: pull the paper out by its tongue, {} of the sheet.",
-                names.join(", "),
-                ways.join(" and ")
-            ),
+    let placed = design.placed();
+    for piece in placed.iter().take(LISTED) {
+        let Some(paper) = design.part(piece).separator() else { continue };
+        let name = label(piece.kind, piece.index);
+        let ends = paper.tongues.iter().map(|tongue| place_of(tongue, piece.placement.point(tongue.end)));
+        let ends: Vec<String> = ends.collect();
+        let sheet =
+            if design.sheets.len() > 1 { format!(" on sheet {}", piece.sheet) } else { String::new() };
+        lines.push(if ends.is_empty() {
+            format!("{name}: there is no port, so the paper stays inside.")
+        } else {
+            format!("{name}: pull the paper out by its tongue, {}{sheet}.", ends.join(" and "))
         });
+    }
+    if let Some(more) = placed.len().checked_sub(LISTED).filter(|more| *more > 0) {
+        lines.push(format!("The other {more} in the same way: the number is on each tongue."));
     }
     lines.push("Paper wider than its port crumples on its way out: pull slowly, with flat tweezers. Thin paper may also stay inside.".to_owned());
     if let Some(inlet) = &spec.inlet {
@@ -304,6 +309,9 @@ fn finish(spec: &Spec, design: &Design) -> Vec<String> {
     }
     lines
 }
+
+/// Pieces whose tongues are listed.
+const LISTED: usize = 8;
 
 /// The place of a tongue's end on the sheet, mm.
 fn place_of(tongue: &Tongue, end: Point) -> String {

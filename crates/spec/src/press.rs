@@ -234,6 +234,11 @@ fn read_paper(s: &mut Section<'_, '_>) -> Option<PaperSize> {
     if let Some((_, size)) = named {
         return Some(*size);
     }
+    if let Some(word) = word.filter(|word| !word.contains(['x', '\u{d7}'])) {
+        let allowed = "must be \"A4\", \"A3\", \"letter\", or two lengths: \"600 mm x 400 mm\"";
+        s.refuse(FaultCode::UnknownChoice, "paper", format!("`paper` is {}", quoted(&word)), allowed);
+        return None;
+    }
     let sides = s.area("paper", SIZE);
     s.narrow("paper", shape());
     sides.map(|[width, height]| PaperSize::Custom(width, height))

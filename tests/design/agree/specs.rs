@@ -260,7 +260,8 @@ fn load(dice: &mut Dice, rho: f64) -> String {
 
 /// A profile with its name, built in or changed, and whether it can chop.
 fn machine(dice: &mut Dice, is_changed: bool) -> ((&'static str, String), bool) {
-    let names: Vec<&'static str> = spec::builtin_machines().collect();
+    let names: Vec<&'static str> =
+        spec::builtin_machines().filter(|name| *name != spec::PRESS_PROFILE).collect();
     let name = dice.one_of(&names);
     let mut text = spec::builtin_machine(name).expect("built in").to_owned();
     if is_changed {

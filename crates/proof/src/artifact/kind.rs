@@ -244,6 +244,8 @@ impl KindRequest {
     pub fn of_spec(mut self, spec: &Spec) -> Self {
         if self.only.is_empty() {
             self.add(spec.build.with.iter().filter_map(|extra| Kind::from_name(extra.name())));
+            // A press has no program that follows the outline: it is printed, and its holes are punched.
+            self.add(spec.press.iter().map(|_| Kind::OutlinePdf));
         }
         self
     }

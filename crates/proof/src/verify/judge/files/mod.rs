@@ -8,3 +8,4 @@ mod layers;
 mod names;
 pub(in crate::verify) mod proof;
 mod solid;
+mod welded;

@@ -7,7 +7,7 @@ use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
-use crate::verify::judge::files::{drawings, figures, names, solid};
+use crate::verify::judge::files::{drawings, figures, names, solid, welded};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -182,6 +182,9 @@ fn file(
                 | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
             };
             let deviation = drawings::compare(&read_drawing, &exact, tolerance, findings);
+            if let Some(paper) = output.part.paper() {
+                welded::check(expected, &read_drawing, paper, findings);
+            }
             if let (Subject::Seal, Some(sheet)) = (subject, output.part.sheet()) {
                 cross.seals.add(sheet, &output.name(), &read_drawing);
             }
