@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::answer::duration::{hours, sealing_time};
+use crate::answer::duration::{sealing_in_words, sealing_time};
 use crate::answer::quantity::{SIZE, number, stated};
 use crate::pipeline::Forecast;
 use design::{RefusalCode, Refusals};
@@ -142,7 +142,7 @@ impl NewGripper {
             "{stars} of {} points, tube {} wide, {width} x {height} mm of fabric{pressure_text}; {} of sealing{friction}",
             star.points,
             star.tube_width,
-            hours(sealing_time(&self.forecast)),
+            sealing_in_words(&self.forecast),
         ))
     }
 

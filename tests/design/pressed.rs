@@ -164,6 +164,17 @@ fn separators_are_nested_on_the_users_paper_or_refused_by_name() {
         ("sheet-too-small", "press.paper")
     );
     assert!(refusal.found.contains("star 1") && refusal.remedy.contains("231.6 x"), "{refusal:?}");
+    // A press of the user's own needs the section, and the section a press.
+    let own = spec::read_machine(&Source::new("own", "schema = 1\nname = \"own\"\ntool = \"press\"\n"));
+    let own = own.unwrap_or_else(|faults| panic!("{faults}"));
+    let code = |text: &str, machine: &Machine| {
+        let planned =
+            pipeline::Planned::new(read(&text.replace("\"press\"", "\"own.toml\""), ""), machine.clone());
+        planned.err().and_then(|refusals| refusals.iter().next().map(|refusal| refusal.code.to_string()))
+    };
+    assert_eq!(code(STARS, &own), None);
+    assert_eq!(code(STARS, &Machine::builtin("generic").expect("one")).as_deref(), Some("no-press"));
+    assert_eq!(code(&STARS.replace("[press]\n", ""), &own).as_deref(), Some("no-press"));
     // The size that is named is enough.
     let size = refusal.remedy.split('"').nth(1).expect("a size").to_owned();
     assert!(design(&size).is_ok(), "{size}");
@@ -190,7 +201,8 @@ fn the_plan_tells_the_force_of_the_press() {
 /// The seams of a star that a file of this program shows, given as a drawing, are the star's own again.
 #[test]
 fn a_star_comes_back_from_its_own_seal_file() {
-    let star = built(STARS, "");
+    // Another hose than a drawing's default: the port is as wide as the file has it.
+    let star = built(&format!("{STARS}[inlet]\ntube_diameter = \"6 mm\"\n"), "");
     for ending in ["svg", "dxf"] {
         let file =
             star.artifacts.iter().find(|file| file.name == format!("sheet-1-seal.{ending}")).expect("a file");

@@ -134,13 +134,16 @@ impl DrawnPiece {
 /// The rules by which a sketch becomes a shape.
 fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
     let hose = spec.inlet.as_ref().map_or(0.0, |inlet| inlet.tube_diameter.0);
+    let band = spec.seal.band.0;
+    let star_port =
+        read(spec, drawing).ok().and_then(|artwork| own_seal::port_width(&artwork, drawing, band));
     Rules {
         band: spec.seal.band.0,
         allowance: spec.seal.allowance.0,
         join: drawing.join.0,
         overlap: spec.seal.overlap.0,
         // A hose of diameter d lies flat in a channel half as wide as its circumference.
-        port_width: std::f64::consts::FRAC_PI_2 * hose,
+        port_width: star_port.filter(|width| *width > 0.0).unwrap_or(std::f64::consts::FRAC_PI_2 * hose),
         overrun: MOUTH_OVERRUN,
         least_passage: drawing.passage.0,
         flange: drawing.flange.0,

@@ -4,6 +4,7 @@ use crate::FaultCode;
 use crate::allowed::{Allowed, EXTRA, SIZE};
 use crate::fault::{Fault, quoted};
 use crate::model::{MaskKind, Spec};
+use crate::profile::builtin_machine;
 use crate::reading::check_ptfe;
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
@@ -128,7 +129,8 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: &str) -> Option<Press> {
     let press = read_section(&mut section);
     let (is_written, place) = (section.is_written(), section.place());
     let is_press = profile == PRESS_PROFILE;
-    if is_written && !is_press {
+    // A profile of the user's own may be a press, too: it is read later, and then compared with the spec.
+    if is_written && !is_press && builtin_machine(profile).is_some() {
         let message = format!("[press] beside the machine {}", quoted(profile));
         let fault = Fault::error(FaultCode::Conflict, place, message)
             .label("an iron has no plates")

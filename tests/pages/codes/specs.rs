@@ -58,6 +58,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("machine-requires", "[machine]\nprofile = \"klipper\"\n"),
     ("no-chop", "[machine]\nfeed_floor = \"chop\"\n"),
     ("no-overlap", "[seal]\noverlap = \"0 mm\"\n"),
+    ("pressing", "[machine]\nprofile = \"press\"\n"),
     ("no-room-for-holes", "[sheet]\nhole_diameter = \"40 mm\"\n"),
     ("no-window", "[mask]\nextent = \"15 mm\"\ncreep = \"40 mm\"\n"),
     ("out-of-reach", "[machine]\nprofile = \"own.toml\"\n"),

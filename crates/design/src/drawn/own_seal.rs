@@ -59,6 +59,19 @@ pub(super) fn complete(
     )]
 }
 
+/// Width of the channel between the bands of the first open outer seam of a star in `drawing`, mm; `None` without one. The hose has it, not
+/// `[inlet]`.
+pub(super) fn port_width(drawing: &Artwork, spec: &DrawingSpec, band: f64) -> Option<f64> {
+    let is_outer = |element: &&Element| {
+        spec.role(element.names()) == Some(LayerRole::Seam)
+            && element.names().any(|name| name == Layer::SealOuter.name())
+    };
+    drawing.elements.iter().filter(is_outer).find_map(|element| match &element.figure {
+        Figure::Path(path) if !path.closed => Some(path.start()?.distance(path.end()?) - band),
+        Figure::Path(_) | Figure::Point(_) => None,
+    })
+}
+
 /// The open outer seam of a star, closed where the channel of a port begins, and the place of the port; `None` if its ends are not those of
 /// a channel.
 fn closed_at_mouth(path: &Path, rules: &Rules) -> Option<(Path, geom::Point)> {
