@@ -211,6 +211,7 @@ fn features(output: &Output) -> [String; 4] {
         OutputPart::Star { .. } => "a star",
         OutputPart::Piece { .. } => "a piece",
         OutputPart::Plate(_) => "a plate",
+        OutputPart::Paper(_) => "a sheet of paper",
     };
     [
         format!("{kind} of {part}"),

@@ -202,13 +202,13 @@ impl ManifestFile {
     /// The file's kind and part, from its entry.
     pub fn output(&self) -> Output {
         let Self { kind, sheet, star, copy, plate, piece: tile, paper, mirrored, valves, .. } = *self;
-        let part = match (star, copy, plate, sheet) {
-            _ if self.paper_sheet.is_some() => OutputPart::Paper(self.paper_sheet.unwrap_or(1)),
-            (Some(star), ..) => OutputPart::Star { star, sheet },
-            (None, Some(piece), ..) => OutputPart::Piece { piece, sheet },
-            (None, None, Some(plate), _) => OutputPart::Plate(plate),
-            (None, None, None, Some(sheet)) => OutputPart::Sheet(sheet),
-            (None, None, None, None) => OutputPart::Design,
+        let part = match (self.paper_sheet, star, copy, plate, sheet) {
+            (Some(paper), ..) => OutputPart::Paper(paper),
+            (None, Some(star), ..) => OutputPart::Star { star, sheet },
+            (None, None, Some(piece), ..) => OutputPart::Piece { piece, sheet },
+            (None, None, None, Some(plate), _) => OutputPart::Plate(plate),
+            (None, None, None, None, Some(sheet)) => OutputPart::Sheet(sheet),
+            (None, None, None, None, None) => OutputPart::Design,
         };
         let is_printed = kind.format() == Format::Pdf && kind != Kind::PressPlan;
         let paper = if is_printed { paper.or(Some(Paper::Large)) } else { paper };
