@@ -176,7 +176,7 @@ fn drawn(name: &str, bytes: &[u8], machine: &Machine) -> Option<Drawn> {
     let on_layers = |drawing: Drawing| drawing.layers.into_values().flatten().collect::<Vec<Curve>>();
     let paths: Vec<Curve> = match Path::new(name).extension()?.to_str()? {
         "svg" => {
-            let sheet = name.starts_with("sheet");
+            let sheet = name.starts_with("sheet") || name.starts_with("paper");
             on_layers(read_svg(text(), if sheet { SvgOrigin::LowerLeft } else { SvgOrigin::Axis }))
         }
         "dxf" => on_layers(read_dxf(text())),

@@ -1,7 +1,7 @@
 //! The first state: a gripper with its geometry and programs.
 
 use crate::airtight;
-use design::{Design, Refusal, Refusals};
+use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::Program;
