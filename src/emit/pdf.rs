@@ -104,6 +104,8 @@ fn pen(layer: Layer) -> PaperPen {
         | Layer::MaskJoint
         | Layer::PostHole
         | Layer::FrameOpening
+        | Layer::SeparatorWindow
+        | Layer::SeparatorEdge
         | Layer::FrameEdge => PaperPen { width: 0.1, gray: 0.0 },
     }
 }
