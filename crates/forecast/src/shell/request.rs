@@ -6,7 +6,7 @@ use crate::predict::PredictFault;
 use crate::pressures::outside;
 use crate::shell::{Detail, MOST_POINTS, SHELL, fineness, flat_star};
 use inflatable::shell::cases::{
-    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, OpeningStep, ShellFault, Value, Watch,
+    Extremes, FlatStar, Hysteresis, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Value, Watch,
     star,
 };
 use inflatable::shell::element::Weave;
@@ -66,8 +66,8 @@ pub(crate) struct Measurements {
     pub(crate) forces: Vec<(f64, Value)>,
     /// For each of them how far the corners slide along the object, by the growth of its radius.
     pub(crate) slips: Vec<Value>,
-    /// The force on a growing object in small steps, on a coarse mesh.
-    pub(crate) opening: Vec<OpeningStep>,
+    /// The largest requested object before and after the star was opened further.
+    pub(crate) hysteresis: Option<Hysteresis>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(crate) object: Option<f64>,
     /// The hardest loaded places, SI.
@@ -180,7 +180,7 @@ impl Measurements {
             volume: inflated.volume.scaled(1e9),
             forces: inflated.forces.iter().map(pressing).collect(),
             slips: inflated.slips.clone(),
-            opening: inflated.opening.clone(),
+            hysteresis: inflated.hysteresis,
             object,
             extremes: inflated.extremes,
         }

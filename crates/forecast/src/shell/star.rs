@@ -14,7 +14,7 @@ use crate::warning::PredictionWarning;
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, OpeningStep, Value, Watch};
+use inflatable::shell::cases::{FlatStar, Hysteresis, InflatedShape, InflatedStar, Value, Watch};
 use spec::units::Readable;
 use spec::{Spec, key};
 
@@ -177,7 +177,7 @@ impl ShellRun {
         bare: &ModelEvidence,
     ) -> ModelEvidence {
         let Self { flat, found, .. } = self;
-        let snap_warning = snap(curve).or_else(|| snap_on_the_way(&measured.opening));
+        let snap_warning = snap(curve).or_else(|| snap_of_one_object(measured.hysteresis, &measured.forces));
         ModelEvidence {
             choice: format!("{SHELL} was requested"),
             residual: found.evidence.residual,
@@ -273,36 +273,21 @@ fn snap(curve: &[(f64, Value)]) -> Option<String> {
     ))
 }
 
-/// Least fall of the force on a growing object, by its largest before: less is the noise of single points of contact.
-const LEAST_FALL: f64 = 0.02;
-
-/// A warning where the force on a growing object falls on a coarse mesh, `opening`: other objects than the requested ones show the snap.
-fn snap_on_the_way(opening: &[OpeningStep]) -> Option<String> {
-    let first = opening.first()?;
-    let (mut largest, mut peak, mut trough) = (first, first, first);
-    for step in opening {
-        if step.force > largest.force {
-            largest = step;
-        }
-        if fall(largest, step) > fall(peak, trough) {
-            (peak, trough) = (largest, step);
-        }
-    }
-    let part = fall(peak, trough);
-    (part > LEAST_FALL).then(|| {
+/// A warning where the force on the largest object, the last of `forces`, depends on whether the star opened or closed on it: its corners have
+/// two stable shapes there. A difference within the mesh error of that force is none.
+fn snap_of_one_object(hysteresis: Option<Hysteresis>, forces: &[(f64, Value)]) -> Option<String> {
+    let hysteresis = hysteresis.filter(|forces| forces.is_snap())?;
+    let (_, force) = forces.last()?;
+    (hysteresis.difference() > force.error / force.value.max(f64::MIN_POSITIVE)).then(|| {
         format!(
-            "the corners' rims may snap inwards: on a coarse mesh the force falls by {:.0} % while the object widens from {:.2} to {:.2} mm \
-             across, and meshes may differ on where; the force may be so much lower than the given one",
-            100.0 * part,
-            2.0 * mm(peak.radius),
-            2.0 * mm(trough.radius)
+            "the corners' rims snap on an object {:.2} mm across: they press on it with {:.2} N when it has opened the star, and with \
+             {:.2} N when the star has closed on it from further open; take the force as {:.0} % lower",
+            2.0 * mm(hysteresis.radius),
+            hysteresis.opening_force,
+            hysteresis.closing_force,
+            100.0 * hysteresis.difference()
         )
     })
-}
-
-/// By which part the force is lower at `trough` than at `peak`; 0 where nothing touches.
-fn fall(peak: &OpeningStep, trough: &OpeningStep) -> f64 {
-    (peak.force - trough.force) / peak.force.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -322,15 +307,14 @@ mod tests {
     }
 
     #[test]
-    fn a_snap_between_the_objects_is_reported() {
-        let curve = |forces: &[f64]| -> Vec<OpeningStep> {
-            let radii = (20_u32..).map(|radius| 1e-3 * f64::from(radius));
-            radii.zip(forces).map(|(radius, force)| OpeningStep { radius, force: *force }).collect()
-        };
-        assert_eq!(snap_on_the_way(&[]), None);
-        // Noise, and an object that does not touch yet.
-        assert_eq!(snap_on_the_way(&curve(&[0.0, 1.0, 2.0, 1.99, 3.0])), None);
-        let warning = snap_on_the_way(&curve(&[0.0, 1.0, 2.0, 1.99, 3.0, 2.7, 2.4, 3.5])).expect("it falls");
-        assert!(warning.contains("by 20 %") && warning.contains("from 48.00 to 52.00 mm"), "{warning}");
+    fn two_forces_on_one_object_are_a_snap() {
+        let force = |error: f64| [(0.025, Value { value: 4.0, error, meshes: [4.0; 3] })];
+        let pair = |closing_force: f64| Some(Hysteresis { radius: 0.025, opening_force: 4.0, closing_force });
+        // Noise, and less than the mesh error.
+        assert_eq!(snap_of_one_object(None, &force(0.1)), None);
+        assert_eq!(snap_of_one_object(pair(3.95), &force(0.01)), None);
+        assert_eq!(snap_of_one_object(pair(3.0), &force(1.1)), None);
+        let warning = snap_of_one_object(pair(3.0), &force(0.1)).expect("it falls");
+        assert!(warning.contains("50.00 mm across") && warning.contains("25 % lower"), "{warning}");
     }
 }

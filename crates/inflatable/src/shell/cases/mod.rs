@@ -35,7 +35,7 @@ pub use actuator::{Actuator, Fineness, MOST_ANGLES, ModelledActuator, VActuator,
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use margin::{Margin, MarginLaw};
-pub use objects::{MOST_OBJECTS, Objects, OpeningStep};
+pub use objects::{Hysteresis, MOST_OBJECTS, Objects};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
     FlatRegion, InflatedRegion, MOST_RESOLVED, PartialPressure, PlaneState, RegionSeam, SeamPull, Surface,

@@ -13,57 +13,77 @@ pub const MOST_OBJECTS: usize = 8;
 const GROWTH: f64 = 0.15;
 const MOST_HALVINGS: i32 = 4;
 
-/// Growth of an object from one step of an [`opening_curve`] to the next, and how far beyond the largest object it goes, by W.
-const STEP: f64 = 0.05;
-const BEYOND: f64 = 0.15;
-/// Unknowns of the finest mesh whose opening is followed in steps: half a second on one processor.
-const MOST_UNKNOWNS: usize = 6000;
+/// How much wider than an object a star is opened to look for another equilibrium around it, by W: as far as one solve leads.
+const BEYOND: f64 = GROWTH;
 
-/// One step of an `opening_curve`.
+/// The radial forces of a star on one object, before and after it was opened further. They differ where the rims of the corners snap: corners
+/// then have two stable shapes around that object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OpeningStep {
+pub struct Hysteresis {
     /// Radius of the object.
     pub radius: f64,
-    /// The radial force on it.
-    pub force: f64,
+    /// Force on the object when it has opened the star from rest.
+    pub opening_force: f64,
+    /// Force on the object when the star has closed on it from [`BEYOND`].
+    pub closing_force: f64,
 }
 
-/// Whether the opening on the mesh of `solver` replaces `coarser`, that on a coarser one.
-pub(super) fn is_followed(solver: &Solver, coarser: &[OpeningStep]) -> bool {
-    coarser.is_empty() || solver.assembly.unknowns() <= MOST_UNKNOWNS
-}
+/// Least difference of the two forces on one object that is a snap, by the larger one: less is the noise of single points of contact.
+const LEAST_DIFFERENCE: f64 = 0.02;
 
-/// Opens the star by an object that grows in small steps, from where it first touches to somewhat more than the largest of `objects`; the
-/// curve ends where a step finds no equilibrium, and is empty without objects. The solver's contact is as before.
-pub(super) fn opening_curve(
-    tube: &Tube,
-    objects: Objects<'_>,
-    solver: &mut Solver,
-    post: usize,
-    equilibrium: &Equilibrium,
-) -> Result<Vec<OpeningStep>, ShellFault> {
-    let mut curve = Vec::new();
-    let Some(size) = objects.sizes().last() else { return Ok(curve) };
-    let former_contact = solver.contact.clone();
-    let mut state = equilibrium.state.clone();
-    let innermost = nearest(&state);
-    let origin = if matches!(objects, Objects::Openings(_)) { innermost } else { 0.0 };
-    let last = origin + size / tube.width + BEYOND;
-    let aim = tube.continuation().aim(equilibrium.pressure);
-    let mut radius = innermost;
-    while radius < last {
-        let next = radius + STEP;
-        match open((&mut *solver, post), &mut state, aim, [radius, next]) {
-            Ok(()) => {}
-            Err(Stop::Cancelled) => return Err(tube.stopped(Stop::Cancelled, solver.triangles())),
-            Err(_) => break,
-        }
-        radius = next;
-        let force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
-        curve.push(OpeningStep { radius, force });
+impl Hysteresis {
+    /// By which part the lower of the two forces is less than the higher one.
+    pub fn difference(self) -> f64 {
+        (self.opening_force - self.closing_force).abs() / self.opening_force.max(self.closing_force)
     }
+
+    /// Whether the forces differ by more than noise.
+    pub fn is_snap(self) -> bool {
+        self.difference() > LEAST_DIFFERENCE
+    }
+}
+
+/// Opens a star from `star`, its equilibrium around an object of `radius`, by [`BEYOND`], and lets it close on the object again. `None` where
+/// the star does not press on the object, or where a solve finds no equilibrium. The solver's contact is as before.
+///
+/// # Errors
+/// If it is cancelled.
+pub(super) fn hysteresis(
+    tube: &Tube,
+    (solver, post): (&mut Solver, usize),
+    star: &Indented,
+    radius: f64,
+) -> Result<Option<Hysteresis>, ShellFault> {
+    let Some(opening_force) =
+        star.contact.as_ref().map(|contact| contact.force(post)).filter(|force| *force > 0.0)
+    else {
+        return Ok(None);
+    };
+    let former_contact = std::mem::replace(&mut solver.contact, star.contact.clone());
+    let aim = tube.continuation().aim(tube.continuation().last);
+    let mut state = star.state.clone();
+    let outcome = open((&mut *solver, post), &mut state, aim, [radius, radius + BEYOND])
+        .and_then(|()| rest_around((&mut *solver, post), &mut state, aim, radius));
+    let closing_force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
     solver.contact = former_contact;
-    Ok(curve)
+    match outcome {
+        Ok(()) => Ok(Some(Hysteresis { radius, opening_force, closing_force })),
+        Err(Stop::Cancelled) => Err(tube.stopped(Stop::Cancelled, solver.triangles())),
+        Err(_) => Ok(None),
+    }
+}
+
+/// Solves for an equilibrium around an object of `radius`, from `state`.
+fn rest_around(
+    (solver, post): (&mut Solver, usize),
+    state: &mut State,
+    aim: Aim,
+    radius: f64,
+) -> Result<(), Stop> {
+    if let Some(contact) = &mut solver.contact {
+        contact.replace(post, Obstacle::Post { radius });
+    }
+    solver.rest(state, aim).map(|_| ())
 }
 
 /// Distance of the star's innermost point from the axis.
@@ -82,6 +102,12 @@ pub enum Objects<'a> {
 }
 
 impl Objects<'_> {
+    /// Radius of the largest, by the width of `tube`, around a star at rest in `state`; `None` without objects.
+    pub(super) fn largest(&self, tube: &Tube, state: &State) -> Option<f64> {
+        let origin = if matches!(self, Self::Openings(_)) { nearest(state) } else { 0.0 };
+        self.sizes().last().map(|size| origin + size / tube.width)
+    }
+
     pub(super) fn sizes(&self) -> &[f64] {
         match self {
             Self::Radii(sizes) | Self::Openings(sizes) => sizes,
@@ -139,12 +165,9 @@ fn open_from(
     [from, to]: [f64; 2],
 ) -> Result<(), Stop> {
     let former_contact = std::mem::replace(&mut solver.contact, contact);
-    if let Some(contact) = &mut solver.contact {
-        contact.replace(post, Obstacle::Post { radius: to });
-    }
     solver.is_rough = true;
-    match solver.rest(&mut start, aim) {
-        Ok(_) => {
+    match rest_around((&mut *solver, post), &mut start, aim, to) {
+        Ok(()) => {
             *state = start;
             Ok(())
         }
@@ -167,11 +190,8 @@ fn open(
     while radius < to {
         let (start, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
-        if let Some(contact) = &mut solver.contact {
-            contact.replace(post, Obstacle::Post { radius: next });
-        }
-        match solver.rest(state, aim) {
-            Ok(_) => {
+        match rest_around((&mut *solver, post), state, aim, next) {
+            Ok(()) => {
                 radius = next;
                 // A stiffness that was enough for this step saves the next one rounds.
                 if let Some(contact) = &mut solver.contact {
@@ -232,9 +252,13 @@ mod tests {
 
     /// The paper's star at 37 kPa on a coarse mesh, inflated, with its object as the last obstacle.
     fn inflated() -> (Solver, usize, State, Aim) {
-        let paper_tube = tube(0.03, 37e3);
+        inflated_star(5, &tube(0.03, 37e3), 8.0)
+    }
+
+    /// The paper's star of `points` points with this tube, on a mesh with so many edges across the tube.
+    fn inflated_star(points: u32, paper_tube: &Tube, cells: f64) -> (Solver, usize, State, Aim) {
         let sector = HalfSector {
-            n: 5,
+            n: points,
             rho_0: 5.0 / 3.0,
             w: 1.0,
             phi_i: 30.0_f64.to_radians(),
@@ -242,7 +266,7 @@ mod tests {
             r_e: 1.0 / 30.0,
         };
         let modelled = ModelledSector { sector, margin: MarginWidths::default() };
-        let mesh = modelled.meshed(&Sizes::across(1.0, 8.0)).expect("a mesh").mesh;
+        let mesh = modelled.meshed(&Sizes::across(1.0, cells)).expect("a mesh").mesh;
         let (sheet, supports) = (Sheet::new(&mesh, paper_tube.scaled()), modelled.supports(&mesh));
         let mut solver = Solver::new(sheet, supports).expect("small");
         let obstacles = modelled.obstacles();
@@ -251,6 +275,27 @@ mod tests {
         let equilibrium = paper_tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
         let aim = paper_tube.continuation().aim(equilibrium.pressure);
         (solver, post, equilibrium.state, aim)
+    }
+
+    /// Around one object a star of three points has one shape; around a wider one it has two, and presses less once it was further open.
+    #[test]
+    fn a_snap_is_two_forces_on_one_object() {
+        let paper_tube = tube(0.03, 14e3);
+        let (mut solver, post, mut state, aim) = inflated_star(3, &paper_tube, 10.0);
+        let rest = nearest(&state);
+        let mut radius = rest;
+        let [single, double] = [0.3, 0.45].map(|opening| {
+            open((&mut solver, post), &mut state, aim, [radius, rest + opening]).expect("an equilibrium");
+            radius = rest + opening;
+            let star = Indented { state: state.clone(), contact: solver.contact.clone() };
+            let forces = hysteresis(&paper_tube, (&mut solver, post), &star, radius).expect("not cancelled");
+            let [before, after] =
+                [&star.contact, &solver.contact].map(|contact| contact.as_ref().map(|c| c.force(post)));
+            assert_eq!(before, after, "the contact is as before");
+            forces.expect("it presses")
+        });
+        assert!(!single.is_snap() && single.difference() < 1e-3, "{single:?}");
+        assert!(double.is_snap() && double.closing_force < 0.9 * double.opening_force, "{double:?}");
     }
 
     #[test]

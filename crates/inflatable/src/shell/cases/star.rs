@@ -5,7 +5,7 @@ use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
-use crate::shell::cases::objects::{MOST_OBJECTS, Objects, OpeningStep, is_followed, opening_curve, press};
+use crate::shell::cases::objects::{Hysteresis, MOST_OBJECTS, Objects, hysteresis, press};
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::sector::ModelledSector;
 use crate::shell::cases::shape::InflatedShape;
@@ -59,9 +59,9 @@ pub struct InflatedStar {
     /// For each of them how far the corners slide along the object for each unit by which its radius grows, the mean by force: friction mu
     /// changes the force by at most mu times that part of it, to first order.
     pub slips: Vec<Value>,
-    /// The force on a growing object in small steps (radius m, force N) to somewhat more than the largest requested one, on a coarse mesh:
-    /// where it falls, the rims of the corners snap inwards.
-    pub opening: Vec<OpeningStep>,
+    /// The largest object before and after the star was opened further, m and N; `None` where it does not press on it. It is of the finest mesh
+    /// where that is small or the middle one shows a snap, else of the middle one.
+    pub hysteresis: Option<Hysteresis>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
     /// The modelled sheet at rest.
@@ -85,6 +85,10 @@ struct StarNumbers<T> {
     forces: [T; MOST_OBJECTS],
     slips: [T; MOST_OBJECTS],
 }
+
+/// Most unknowns of a mesh on which every star is opened further to look for a snap: the middle one of medium fineness, at a fifth of the cost
+/// of the finest. A finer mesh is opened further only where the one before it shows a snap.
+const MOST_OPENED: usize = 25_000;
 
 /// Number of fields of [`StarNumbers`] that do not depend on an object.
 const SINGLE: usize = 10;
@@ -250,7 +254,7 @@ pub fn star_by_sizes(
     let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
     // Both are those of the last mesh, which is the finest.
     let (mut places, mut shape) = ([[0.0; 2]; 3], InflatedShape::default());
-    let mut opening = Vec::new();
+    let mut snap_forces = None::<Hysteresis>;
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let [tension, stretch] = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
@@ -263,8 +267,12 @@ pub fn star_by_sizes(
         let former_contact = solver.contact.clone();
         let [forces, slips] = press(&case.tube, objects, (solver, post), equilibrium, beside)?;
         solver.contact = former_contact;
-        if is_followed(solver, &opening) {
-            opening = opening_curve(&case.tube, objects, solver, post, equilibrium)?;
+        let is_opened =
+            solver.assembly.unknowns() <= MOST_OPENED || snap_forces.is_some_and(Hysteresis::is_snap);
+        let largest = objects.largest(&case.tube, &equilibrium.state);
+        if let Some((radius, pressed)) = largest.zip(beside.get(count.wrapping_sub(1))).filter(|_| is_opened)
+        {
+            snap_forces = hysteresis(&case.tube, (solver, post), pressed, radius)?;
         }
         Ok(StarNumbers { seal_tension, stretch, seal_pull, forces, slips, ..at_rest }.into())
     })?;
@@ -283,10 +291,11 @@ pub fn star_by_sizes(
         radial_stiffness: values.stiffness.scaled(sheets * force / w),
         forces: forces.map(|(size, value)| (*size, value.scaled(sheets * force))).collect(),
         slips: values.slips[..count].to_vec(),
-        opening: opening
-            .into_iter()
-            .map(|step| OpeningStep { radius: w * step.radius, force: sheets * force * step.force })
-            .collect(),
+        hysteresis: snap_forces.map(|forces: Hysteresis| Hysteresis {
+            radius: w * forces.radius,
+            opening_force: sheets * force * forces.opening_force,
+            closing_force: sheets * force * forces.closing_force,
+        }),
         extremes: values.extremes(&case.tube, places),
         shape,
         evidence,
