@@ -36,7 +36,8 @@ def resume(
 
     spec: the spec of the job, whose clamps the rest must not meet; without it they are unknown.
     line: the line that was running, from 1.
-    at: the elapsed part of the whole job's time, as the program shows it: "37%".
+    at: the elapsed part of the whole job's time, as the program shows it: "37%"; or the time since the program
+        began: "1 h 20 min".
     near: a point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     overlap: length to seal again before the stop, "5 mm"; default: the overlap of the closures.
 
