@@ -198,7 +198,7 @@ mod tests {
         flange: 10.0,
     };
 
-    /// Open lines far from each other, as seams, cuts and edges: no piece has an outline.
+    /// Open lines far from each other, as seams and as cuts: no piece has an outline.
     #[test]
     fn lines_without_an_outline_are_one_piece() {
         let line = |x: f64| DrawnCurve {
@@ -208,7 +208,6 @@ mod tests {
         let lines = || vec![line(0.0), line(100.0), line(200.0)];
         for sketch in [
             Sketch { seams: lines(), ..Sketch::default() },
-            Sketch { air: lines(), ..Sketch::default() },
             Sketch { cuts: lines(), seams: lines(), ..Sketch::default() },
             Sketch { cuts: lines(), ..Sketch::default() },
         ] {
