@@ -6,16 +6,16 @@ import { Field } from "./fields.js";
 const PRODUCTS = {
     star: {
         first: ["star.points", "star.inner_radius", "star.tube_width", "star.tip_angle", "load.pressure"],
-        groups: ["load", "star", "stack", "fabric", "seal", "machine", "inlet", "sheet", "mask", "frame", "cut", "accuracy", "build"],
+        groups: ["load", "star", "stack", "fabric", "seal", "press", "machine", "inlet", "sheet", "mask", "frame", "cut", "accuracy", "build"],
         without: [],
     },
     drawing: {
         first: ["load.pressure", "mask.kind", "seal.band", "fabric.seal_strength", "sheet.copies"],
-        groups: ["drawing", "seal", "fabric", "machine", "inlet", "mask", "sheet", "cut", "accuracy", "build"],
+        groups: ["drawing", "seal", "press", "fabric", "machine", "inlet", "mask", "sheet", "cut", "accuracy", "build"],
         without: ["inlet.length", "inlet.tip", "inlet.fillet", "inlet.none", "seal.hole_allowance", "mask.extent", "mask.border", "mask.mirror", "mask.thickness", "mask.bed"],
     },
 };
-const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
+const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", press: "Heat press", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
 /** The sections that have a place here; others of the schema come behind them. */
 const PLACED = Object.values(PRODUCTS).flatMap(({ groups }) => groups);
 /** Choices of keys that mean another thing for a drawing. */

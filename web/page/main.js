@@ -164,7 +164,7 @@ function listen() {
     byId("machine").addEventListener("change", ({ target }) => change("machine.profile", JSON.stringify(target.value), null));
     for (const start of ["shell-start", "inflate"]) byId(start).addEventListener("click", () => maker.shell());
     byId("anyway").addEventListener("change", () => maker.build());
-    window.addEventListener("beforeprint", () => (byId("before").open = true));
+    window.addEventListener("beforeprint", () => ["before", "pressing"].forEach((id) => (byId(id).open = true)));
 }
 
 /** The spec to begin with, from the link if that holds one which this tab did not take. */

@@ -62,6 +62,9 @@ export class Result {
         this.#rows(overview);
         byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, readable(text))));
         byId("before").hidden = overview.before_you_seal.length === 0;
+        byId("pressing").hidden = !overview.press;
+        const steps = overview.press?.instructions ?? [];
+        byId("steps").replaceChildren(...steps.flatMap(({ heading, lines }) => [element("h3", {}, heading), element("ol", {}, ...lines.map((line) => element("li", {}, readable(line))))]));
         const isDrawn = overview.stars === 0;
         byId("shell-box").hidden = !isDrawn || !overview.prediction;
     }
@@ -72,9 +75,10 @@ export class Result {
         verdict.replaceChildren(headline, ...(rest ? [element("span", {}, rest)] : []));
     }
 
-    #rows({ rows, sealing_time_s, sheets_mm }) {
+    #rows({ rows, sealing_time_s, sheets_mm, press }) {
         const sheets = sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" × ")).join(", ");
-        const all = [...rows, ["sealing takes", `${hours(sealing_time_s)}, without heating and pauses`], [sheets_mm.length > 1 ? "sheets" : "sheet", `${sheets} mm`]];
+        const sealing = press ? ["pressing", `${press.pressings === 1 ? "once" : `${press.pressings} times`}, ${press.settings}`] : ["sealing takes", `${hours(sealing_time_s)}, without heating and pauses`];
+        const all = [...rows, sealing, [sheets_mm.length > 1 ? "sheets" : "sheet", `${sheets} mm`]];
         byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, readable(text))]));
     }
 
