@@ -5,12 +5,12 @@ import { Field } from "./fields.js";
 /** For each product the keys that come first, with other words where the key's own say too little; and its groups in order. */
 const PRODUCTS = {
     star: {
-        first: ["star.points", "star.inner_radius", "star.tube_width", "star.tip_angle", "load.pressure"],
+        first: ["star.points", "star.inner_radius", "star.tube_width", "star.tip_angle", "load.pressure", "machine.profile"],
         groups: ["load", "star", "stack", "fabric", "seal", "press", "machine", "inlet", "sheet", "mask", "frame", "cut", "accuracy", "build"],
         without: [],
     },
     drawing: {
-        first: ["load.pressure", "mask.kind", "seal.band", "fabric.seal_strength", "sheet.copies"],
+        first: ["load.pressure", "machine.profile", "seal.band", "fabric.seal_strength", "sheet.copies"],
         groups: ["drawing", "seal", "press", "fabric", "machine", "inlet", "mask", "sheet", "cut", "accuracy", "build"],
         without: ["inlet.length", "inlet.tip", "inlet.fillet", "inlet.none", "seal.hole_allowance", "mask.extent", "mask.border", "mask.mirror", "mask.thickness", "mask.bed"],
     },
@@ -18,22 +18,20 @@ const PRODUCTS = {
 const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", press: "Heat press", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
 /** The sections that have a place here; others of the schema come behind them. */
 const PLACED = Object.values(PRODUCTS).flatMap(({ groups }) => groups);
-/** Choices of keys that mean another thing for a drawing. */
-const SEPARATOR = { words: "sealed by", choices: [["", "iron"], ["separator", "press, with paper between"]] };
+/** The profile among the values: whatever is no press has an iron, the machine of which has a choice of its own above. */
+const SEALED_BY = { words: "sealed by", choices: [["", "iron"], ["press", "heat press, with paper between"]] };
 
 export class Form {
     #schema;
-    #machines;
     #tell;
     #settle;
     #product = null;
     #fields = new Map();
     #groups = [];
 
-    /** Fields of `schema`; `machines` are the profiles; `change(key, value, kind)` receives a new value for the text: TOML, or null; `settle` ends a step. */
-    constructor(schema, machines, { change, settle }) {
+    /** Fields of `schema`; `change(key, value, kind)` receives a new value for the text: TOML, or null; `settle` ends a step. */
+    constructor(schema, { change, settle }) {
         this.#schema = schema;
-        this.#machines = machines;
         this.#tell = change;
         this.#settle = settle;
     }
@@ -46,8 +44,7 @@ export class Form {
         const isText = property?.type === "object" || (property?.type === "array" && !(property.items?.enum && property.uniqueItems));
         if (!property || isText) return undefined;
         const tell = (value, isDragged = false) => this.#tell(path, value, isDragged ? `slide ${path}` : null);
-        const special = path === "mask.kind" && this.#product === "drawing" ? SEPARATOR : path === "machine.profile" ? { choices: this.#machines.map(({ name }) => name) } : {};
-        const field = new Field(path, property, { tell, settle: this.#settle, ...special });
+        const field = new Field(path, property, { tell, settle: this.#settle, ...(path === "machine.profile" && SEALED_BY) });
         this.#fields.set(path, field);
         return field;
     }
@@ -78,8 +75,7 @@ export class Form {
         for (const setting of settings) {
             const path = setting.section ? `${setting.section}.${setting.key}` : setting.key, field = this.#fields.get(path);
             if (!field) continue;
-            // A drawing has no mask but the paper of a press.
-            const value = path === "mask.kind" && isDrawn && !setting.given ? "" : setting.value;
+            const value = path === "machine.profile" && !/^press$|\.toml$/.test(setting.value) ? "" : setting.value;
             field.show({ ...setting, value });
             if (setting.given) given.add(path);
         }
