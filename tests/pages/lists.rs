@@ -48,13 +48,6 @@ fn every_extra_kind_is_named_in_the_pages_and_read_by_strangers() {
     assert_eq!(Extra::WORDS.into_iter().filter(unread).collect::<Vec<_>>(), [""; 0], "tests/strangers/run");
 }
 
-#[test]
-fn every_dialect_is_named_on_the_page_of_machines() {
-    let page = text("docs/machines.md").to_lowercase();
-    let missing: Vec<&str> = Dialect::WORDS.into_iter().filter(|word| !page.contains(word)).collect();
-    assert!(missing.is_empty(), "docs/machines.md has no {missing:?}");
-}
-
 /// LinuxCNC's interpreter reads what is written for mills; the schema tells which dialects have dwells in milliseconds.
 #[test]
 fn every_dialect_is_where_its_family_is_listed() {
