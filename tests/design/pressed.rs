@@ -163,7 +163,7 @@ fn separators_are_nested_on_the_users_paper_or_refused_by_name() {
         (refusal.code.to_string().as_str(), refusal.key.to_string().as_str()),
         ("sheet-too-small", "press.paper")
     );
-    assert!(refusal.found.contains("star 1") && refusal.remedy.contains("231.6 x"), "{refusal:?}");
+    assert!(refusal.found.contains("star 1") && refusal.remedy.contains("246.2 x 267 mm"), "{refusal:?}");
     // A press of the user's own needs the section, and the section a press.
     let own = spec::read_machine(&Source::new("own", "schema = 1\nname = \"own\"\ntool = \"press\"\n"));
     let own = own.unwrap_or_else(|faults| panic!("{faults}"));
