@@ -2,7 +2,7 @@
 
 use crate::FaultCode;
 use crate::fault::Fault;
-use crate::model::ProductKind;
+use crate::product::ProductKind;
 use crate::value::RawTable;
 
 /// The TOML files that this program reads.

@@ -29,6 +29,7 @@ mod model;
 mod motion;
 mod name;
 mod press;
+mod product;
 mod profile;
 mod raw;
 mod reading;
@@ -64,11 +65,12 @@ pub use machine::{
 pub use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    MaskKind, ObjectShape, ProductKind, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    MaskKind, ObjectShape, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PaperSize, Press, PressLayer};
+pub use product::ProductKind;
 pub use profile::{
     CONTACT, LEAST_ACCELERATION, builtin_machine, builtin_machines, limits_set_by, read_machine,
     usual_profile,

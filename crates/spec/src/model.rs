@@ -2,6 +2,7 @@
 
 use crate::accuracy::Accuracy;
 use crate::press::Press;
+use crate::product::ProductKind;
 use crate::units::{
     Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure, Speed, Temperature,
 };
@@ -114,17 +115,6 @@ pub struct StarSpec {
     pub pitch: Length,
     /// The tip that carries the inlet, 1 to n.
     pub inlet_tip: u32,
-}
-
-crate::choices! {
-    /// The product of a spec.
-    ProductKind,
-    /// The section that describes the product.
-    section;
-    /// A gripper of stars.
-    Stars: "star",
-    /// Pieces by a person's own drawing.
-    Drawing: "drawing",
 }
 
 impl Spec {

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use crate::builtin_machine;
-use crate::model::ProductKind;
+use crate::product::ProductKind;
 use crate::profile::read_profile;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;

@@ -3,7 +3,7 @@
 use crate::FaultCode;
 use crate::fault::{Fault, quoted};
 use crate::message::header;
-use crate::model::ProductKind;
+use crate::product::ProductKind;
 use crate::units::{Length, Quantity};
 use crate::value::{RawEntry, RawKind, RawTable, RawValue};
 use std::ops::Range;

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crate::FaultCode;
 use crate::fault::{Fault, quoted};
 use crate::key::{self, KeyPath};
-use crate::model::ProductKind;
+use crate::product::ProductKind;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;
 use crate::section::{Reader, Section};
