@@ -10,7 +10,7 @@ use stargrip_cam::spec::edit::with_changes;
 use stargrip_cam::spec::key::named;
 use stargrip_cam::spec::{KeyPath, settings, starter};
 
-use crate::faults::{of_failure, of_spec, one, usage};
+use crate::faults::{fault_dict, of_failure, of_spec, usage};
 use crate::{gripper, toml};
 
 /// The specification of a gripper: valid TOML. It never changes; `replace` makes another.
@@ -154,7 +154,7 @@ impl Spec {
         let class = py.import("stargrip_cam.errors")?.getattr("Fault")?;
         let warnings = &self.given.reading.warnings;
         let warning_objects =
-            warnings.list().iter().map(|fault| class.call((), Some(&one(py, warnings, fault)?)));
+            warnings.list().iter().map(|fault| class.call((), Some(&fault_dict(py, warnings, fault)?)));
         PyList::new(py, warning_objects.collect::<PyResult<Vec<_>>>()?)
     }
 

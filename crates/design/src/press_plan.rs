@@ -71,11 +71,11 @@ impl PressPlan {
 
     /// The page for the workshop: the text, and a small picture of the first sheet. `name` is the design's.
     pub fn page(&self, name: &str, design: &Design) -> Page {
-        // The same instructions in smaller letters where they are long: all of them are on one page.
-        let sizes = [2.6, 2.3, 2.0, 1.8, 1.6];
-        let written = sizes.iter().map(|height| self.written(name, *height));
-        let fits = |(_, bottom): &(Vec<Path>, f64)| *bottom >= BORDER;
-        let (mut strokes, bottom) = written.clone().find(fits).or_else(|| written.last()).unwrap_or_default();
+        // Long instructions get smaller letters, so that all of them are on one page.
+        let heights = [2.6, 2.3, 2.0, 1.8, LEAST_LETTERS];
+        let mut candidates = heights.iter().map(|height| self.written(name, *height));
+        let fitting = candidates.find(|(_, bottom)| *bottom >= BORDER);
+        let (mut strokes, bottom) = fitting.unwrap_or_else(|| self.written(name, LEAST_LETTERS));
         strokes.extend(picture(design, bottom));
         let layers = vec![(Layer::PaperMark, vec![Shape::Figure(strokes)])];
         Page {
@@ -111,6 +111,8 @@ impl PressPlan {
 const PAGE: [f64; 2] = [210.0, 297.0];
 /// Strip without text along the page's border, mm.
 const BORDER: f64 = 15.0;
+/// Height of the smallest capitals on the page, mm.
+const LEAST_LETTERS: f64 = 1.6;
 /// Distance of lines, in heights of a capital.
 const LEADING: f64 = 1.7;
 
