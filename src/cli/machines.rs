@@ -8,7 +8,7 @@ use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
 use program::plan::actual_speed;
-use spec::{Machine, Motion, Tool};
+use spec::{Machine, Motion, SealingTool};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]
@@ -71,14 +71,15 @@ fn list(machines: &[Machine]) -> String {
     let mut text = String::new();
     for machine in machines {
         let _ = writeln!(text, "{:15} {}", machine.name, machine.description);
-        let ability = if machine.tool == Tool::Press { NO_PROGRAM.to_owned() } else { at_slow(machine) };
+        let ability =
+            if machine.tool == SealingTool::Press { NO_PROGRAM.to_owned() } else { at_slow(machine) };
         let _ = writeln!(text, "{:15}   {ability}", "");
     }
     text
 }
 
 fn json(machines: &[Machine]) -> String {
-    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": if machine.tool == Tool::Press { NO_PROGRAM.to_owned() } else { ability(&machine.motion) } });
+    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": if machine.tool == SealingTool::Press { NO_PROGRAM.to_owned() } else { ability(&machine.motion) } });
     pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
 }
 

@@ -5,7 +5,7 @@ use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::Program;
-use spec::{Machine, Spec, Tool, key};
+use spec::{Machine, SealingTool, Spec, key};
 
 /// A gripper that the machine can seal.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ pub struct Planned {
 /// The programs of `design`, in which the inlet is the only opening for air.
 pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
     airtight::leaks(&spec, &machine, &design).or(())?;
-    if machine.tool == Tool::Press || spec.press.is_some() {
+    if machine.tool == SealingTool::Press || spec.press.is_some() {
         return pressed(spec, machine, design);
     }
     // The size is checked before the programs are made: they may exceed the memory.
@@ -40,7 +40,7 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
 
 /// A design that a press seals without programs.
 fn pressed(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
-    let is_press = machine.tool == Tool::Press;
+    let is_press = machine.tool == SealingTool::Press;
     let refusal = (is_press != spec.press.is_some()).then(|| {
         let found = if is_press {
             format!("{} is a heat press, and the spec has no [press]", machine.name)

@@ -9,7 +9,7 @@ use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
 use program::plan::Pace;
 use spec::units::{Readable, Speed};
-use spec::{Machine, Tool};
+use spec::{Machine, SealingTool};
 
 /// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
 /// or more, which gives about 5 mm/s.
@@ -179,11 +179,11 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
 /// The task to seal the valves to their sheet first.
 fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
     let below = match forecast.machine.tool {
-        Tool::Iron => {
+        SealingTool::Iron => {
             let height = Readable(forecast.machine.process.heights.travel.0);
             format!("the tool passes {height} mm above the fabric between seams")
         }
-        Tool::Press => {
+        SealingTool::Press => {
             "the valves must bear the heat of the plates, or foam with holes for them lies between".to_owned()
         }
     };

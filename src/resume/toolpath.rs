@@ -46,7 +46,7 @@ pub(super) struct Toolpath<'a> {
     pub(super) seconds: f64,
     /// Time in contact and on ramps, s.
     pub(super) sealing: f64,
-    /// Its travels, mm, as runs without a stop between two contacts. The first way is that from the sheet's corner, where every program leaves
+    /// Travels of the program, mm, as runs without a stop between two contacts. The first way is that from the sheet's corner, where every program leaves
     /// the iron.
     pub(super) travels: Vec<Vec<[f64; 3]>>,
     /// Time for all of it as stated in its header, with the accelerations of travels, s.

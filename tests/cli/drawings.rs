@@ -212,12 +212,12 @@ fn warnings_are_in_json_and_in_the_picture() {
 /// A port that is refused is not missing as well.
 #[test]
 fn a_port_without_room_is_one_error() {
-    let folder = folder(
+    let files = folder(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"140mm\" viewBox=\"0 0 200 140\"><g id=\"air\">\
          <path id=\"o\" d=\"M 20 68 V 20 H 180 V 120 H 20 V 72 H 0 V 68 Z\"/></g>\
          <g id=\"port\"><path id=\"h\" d=\"M -2 70 H 2\"/></g></svg>",
     );
-    let dir = folder.path();
+    let dir = files.path();
     let _ = run(dir, &["new", "a", "--drawing", "d.svg"]);
     let refused = json(dir, &["check", "a.toml", "--json"]);
     assert_eq!(refused["refused"].as_array().map(Vec::len), Some(1), "{refused}");

@@ -241,7 +241,7 @@ fn a_feed_check_is_proven_as_builds_are() {
 }
 
 #[test]
-fn resume_goes_on_by_line_by_time_and_by_place() {
+fn resume_goes_on_by_line_and_overwrites_nothing() {
     let dir = built();
     let job = "out/star/star-1-seal.gcode";
     let before = read(dir.path(), job);
@@ -267,45 +267,53 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let _ = fails(dir.path(), &inside, 1, &["out/star/rest.gcode is in a published directory", "beside it"]);
     assert!(!dir.path().join("out/star/rest.gcode").exists());
     assert_eq!(read(dir.path(), job), before);
+}
 
-    let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
+#[test]
+fn resume_goes_on_by_share_by_time_and_by_place() {
+    // Each way to name the place is tried on one program. Then a resumed program is resumed, without a manifest and beside
+    // something that is none. A changed job is refused.
+    let dir = built();
+    let job = "out/star/star-1-seal.gcode";
+    let program = read(dir.path(), job);
+    let message = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
     assert!(
-        said.contains("37.0 % of the job's time") && said.contains("seals the last 2.0 mm again"),
-        "{said}"
+        message.contains("37.0 % of the job's time") && message.contains("seals the last 2.0 mm again"),
+        "{message}"
     );
     // The same place by the clock.
-    let total = before.split("total:").nth(1).and_then(|line| line.split("time_s=").nth(1));
+    let total = program.split("total:").nth(1).and_then(|line| line.split("time_s=").nth(1));
     let total = total.and_then(|rest| rest.split_whitespace().next());
     let minutes = 0.37 / 60.0 * total.and_then(|time| time.parse::<f64>().ok()).expect("a time");
     let time = format!("{} h {:.2} min", (minutes / 60.0).floor(), minutes % 60.0);
-    let said = done(dir.path(), &["resume", job, "--at", &time, "-o", "clock.gcode"]);
-    let share = said.split("after ").nth(1).and_then(|rest| rest.split_whitespace().next());
+    let message = done(dir.path(), &["resume", job, "--at", &time, "-o", "clock.gcode"]);
+    let share = message.split("after ").nth(1).and_then(|rest| rest.split_whitespace().next());
     let share: f64 = share.and_then(|share| share.parse().ok()).expect("a percentage");
-    assert!((share - 37.0).abs() < 0.5, "{said}");
-    let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
+    assert!((share - 37.0).abs() < 0.5, "{message}");
+    let end = program.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
     let number = |letter: char| {
         let word = end.split_whitespace().find(|word| word.starts_with(letter));
         word.expect("a coordinate")[1..].to_owned()
     };
     let place = format!("{} mm,{} mm", number('X'), number('Y'));
-    let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
-    assert!(said.contains("wrote near.gcode"), "{said}");
+    let message = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
+    assert!(message.contains("wrote near.gcode"), "{message}");
     // A resumed program can be resumed, although no manifest names it.
-    let said = done(dir.path(), &["resume", "at.gcode", "--at", "50%"]);
+    let message = done(dir.path(), &["resume", "at.gcode", "--at", "50%"]);
     assert!(
-        dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
-        "{said}"
+        dir.path().join("at-resume.gcode").exists() && message.contains("no manifest.json beside"),
+        "{message}"
     );
     // A pipe is no manifest, and reading it must not block.
     #[cfg(unix)]
     {
         let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
         assert!(made.expect("mkfifo").success());
-        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60%", "-o", "piped.gcode"]);
-        assert!(said.contains("no manifest.json beside"), "{said}");
+        let message = done(dir.path(), &["resume", "at.gcode", "--at", "60%", "-o", "piped.gcode"]);
+        assert!(message.contains("no manifest.json beside"), "{message}");
     }
     // A job that differs from the manifest beside it is not resumed.
-    fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
+    fs::write(dir.path().join(job), program.replacen("G1 X", "G1  X", 1)).expect("written");
     let _ = fails(
         dir.path(),
         &["resume", job, "--at", "60%"],

@@ -1,7 +1,7 @@
 //! A heat press: paper instead of programs, for stars and drawings, proven from the files.
 
 use stargrip_cam::artifact::{Format, Kind, KindRequest};
-use stargrip_cam::design::{CutEdge, Design, Drawing, Layer, PressPlan, Shape};
+use stargrip_cam::design::{CutEdge, Design, Drawing, Layer, PressPlan, Refusals, Shape};
 use stargrip_cam::emit;
 use stargrip_cam::geom::{Isometry, Path, Vec2};
 use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
@@ -65,13 +65,13 @@ fn mutated(text: &str, drawing: &str, change: impl Fn(&mut Vec<(Layer, Vec<Shape
     read_back(&files).findings
 }
 
-fn has(findings: &[Finding], code: &str) -> bool {
+fn has_code(findings: &[Finding], code: &str) -> bool {
     findings.iter().any(|finding| finding.code == code)
 }
 
-fn moved(shapes: &mut [Shape], by: Vec2) {
+fn moved(shapes: &mut [Shape], shift: Vec2) {
     for shape in shapes {
-        *shape = shape.moved(&Isometry::translation(by));
+        *shape = shape.moved(&Isometry::translation(shift));
     }
 }
 
@@ -101,13 +101,13 @@ fn paper_that_does_not_fit_the_seams_is_found() {
         let shift = mutated(text, drawing, |layers| {
             layers.iter_mut().skip(2).for_each(|(_, shapes)| moved(shapes, Vec2::new(0.7, 0.3)));
         });
-        assert!(has(&shift, "narrow-band") && has(&shift, "deviation"), "{shift:#?}");
+        assert!(has_code(&shift, "narrow-band") && has_code(&shift, "deviation"), "{shift:#?}");
         let filled = mutated(text, drawing, |layers| layers[2].1.clear());
-        assert!(has(&filled, "narrow-band") && has(&filled, "path-count"), "{filled:#?}");
-        let lost = mutated(text, drawing, |layers| {
+        assert!(has_code(&filled, "narrow-band") && has_code(&filled, "path-count"), "{filled:#?}");
+        let partial = mutated(text, drawing, |layers| {
             let _ = layers[3].1.pop();
         });
-        assert!(has(&lost, "welded-air"), "{lost:#?}");
+        assert!(has_code(&partial, "welded-air"), "{partial:#?}");
     }
     // Shrunk: smaller paper lets some of the air weld.
     let shrunk = mutated(DRAWN, POUCH, |layers| {
@@ -116,7 +116,7 @@ fn paper_that_does_not_fit_the_seams_is_found() {
             *path = stargrip_cam::sealed::offset_right(path, -0.5).swap_remove(0);
         }
     });
-    assert!(has(&shrunk, "welded-air"), "{shrunk:#?}");
+    assert!(has_code(&shrunk, "welded-air"), "{shrunk:#?}");
     // A tongue cut off: the channel welds.
     let cut_off = mutated(DRAWN, POUCH, |layers| {
         for shape in &mut layers[3].1 {
@@ -127,7 +127,7 @@ fn paper_that_does_not_fit_the_seams_is_found() {
             }));
         }
     });
-    assert!(has(&cut_off, "welded-air"), "{cut_off:#?}");
+    assert!(has_code(&cut_off, "welded-air"), "{cut_off:#?}");
     // A second tongue, beside the port.
     let stray = mutated(DRAWN, POUCH, |layers| {
         let bounds = layers[3].1[0].bounds();
@@ -137,14 +137,17 @@ fn paper_that_does_not_fit_the_seams_is_found() {
         };
         layers[3].1.push(Shape::Path(Path::rectangle(&strip)));
     });
-    assert!(has(&stray, "stray-paper"), "{stray:#?}");
+    assert!(has_code(&stray, "stray-paper"), "{stray:#?}");
+}
+
+fn stars_on(paper: &str) -> Result<Design, Refusals> {
+    Design::new(&read(&format!("{STARS}paper = \"{paper}\"\n"), ""), &press())
 }
 
 #[test]
 fn separators_are_nested_on_the_users_paper_or_refused_by_name() {
-    let design = |paper: &str| Design::new(&read(&format!("{STARS}paper = \"{paper}\"\n"), ""), &press());
     for (paper, sheets) in [("A3", 2), ("600 mm x 300 mm", 1), ("a3", 2)] {
-        let design = design(paper).unwrap_or_else(|refusals| panic!("{refusals}"));
+        let design = stars_on(paper).unwrap_or_else(|refusals| panic!("{refusals}"));
         assert_eq!(design.papers.len(), sheets, "{paper}");
         for sheet in &design.papers {
             let drawing = Drawing::separators(&design, sheet.index, CutEdge::Tool).expect("paper");
@@ -157,7 +160,7 @@ fn separators_are_nested_on_the_users_paper_or_refused_by_name() {
             }
         }
     }
-    let refusals = design("A4").expect_err("too small");
+    let refusals = stars_on("A4").expect_err("too small");
     let refusal = refusals.iter().next().expect("one");
     assert_eq!(
         (refusal.code.to_string().as_str(), refusal.key.to_string().as_str()),
@@ -165,19 +168,20 @@ fn separators_are_nested_on_the_users_paper_or_refused_by_name() {
     );
     assert!(refusal.found.contains("star 1") && refusal.remedy.contains("246.2 x 267 mm"), "{refusal:?}");
     // A press of the user's own needs the section, and the section a press.
-    let own = spec::read_machine(&Source::new("own", "schema = 1\nname = \"own\"\ntool = \"press\"\n"));
-    let own = own.unwrap_or_else(|faults| panic!("{faults}"));
+    let user_press =
+        spec::read_machine(&Source::new("own", "schema = 1\nname = \"own\"\ntool = \"press\"\n"));
+    let user_press = user_press.unwrap_or_else(|faults| panic!("{faults}"));
     let code = |text: &str, machine: &Machine| {
         let planned =
             pipeline::Planned::new(read(&text.replace("\"press\"", "\"own.toml\""), ""), machine.clone());
         planned.err().and_then(|refusals| refusals.iter().next().map(|refusal| refusal.code.to_string()))
     };
-    assert_eq!(code(STARS, &own), None);
+    assert_eq!(code(STARS, &user_press), None);
     assert_eq!(code(STARS, &Machine::builtin("generic").expect("one")).as_deref(), Some("no-press"));
-    assert_eq!(code(&STARS.replace("[press]\n", ""), &own).as_deref(), Some("no-press"));
+    assert_eq!(code(&STARS.replace("[press]\n", ""), &user_press).as_deref(), Some("no-press"));
     // The size that is named is enough.
     let size = refusal.remedy.split('"').nth(1).expect("a size").to_owned();
-    assert!(design(&size).is_ok(), "{size}");
+    assert!(stars_on(&size).is_ok(), "{size}");
 }
 
 /// One pressing a sheet, and the force on all of it.
@@ -214,19 +218,17 @@ fn a_star_comes_back_from_its_own_seal_file() {
         let drawing = String::from_utf8(file.bytes.clone()).expect("text");
         let spec = read(&text, &drawing);
         let design = Design::new(&spec, &press()).unwrap_or_else(|refusals| panic!("{ending}: {refusals}"));
-        let (drawn, own) = (&design.drawn().expect("drawn").pieces, &star.forecast.design);
-        assert_eq!(drawn.len(), 2, "{ending}");
-        let part = own.part(&own.placed()[0]);
-        for piece in drawn {
+        let (pieces, stars) = (&design.drawn().expect("drawn").pieces, &star.forecast.design);
+        assert_eq!(pieces.len(), 2, "{ending}");
+        let part = stars.part(&stars.placed()[0]);
+        for piece in pieces {
             assert_eq!((piece.shape.ports.len(), piece.part.inside.len()), (1, 1), "{ending}");
-            let length = |shape: &stargrip_cam::sealed::SealedShape| -> f64 {
-                shape.seams.iter().map(|seam| seam.center_line.length()).sum()
-            };
-            let (found, right) = (length(&piece.shape), length(part.shape()));
-            assert!((found - right).abs() < 0.02, "{ending}: {found} mm, not {right}");
+            let [length, right] = [&piece.shape, part.shape()]
+                .map(|shape| shape.seams.iter().map(|seam| seam.center_line.length()).sum::<f64>());
+            assert!((length - right).abs() < 0.02, "{ending}: {length} mm, not {right}");
             // The cut at the mouth is square in one and round in the other.
-            let (found, right) = (piece.part.outside.area(), part.cut(CutEdge::Part).outside.area());
-            assert!((found / right - 1.0).abs() < 0.005, "{ending}: {found} mm2, not {right}");
+            let (area, right) = (piece.part.outside.area(), part.cut(CutEdge::Part).outside.area());
+            assert!((area / right - 1.0).abs() < 0.005, "{ending}: {area} mm2, not {right}");
         }
     }
 }

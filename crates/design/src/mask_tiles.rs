@@ -304,8 +304,8 @@ pub(super) fn divide_masks(parts: &mut [StarDesign], bed: Bed) -> Result<(), Ref
 }
 
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
-fn bed_for_all<'a>(
-    divisions: &(impl Iterator<Item = &'a Division> + Clone),
+fn bed_for_all<'a, I: Iterator<Item = &'a Division> + Clone>(
+    divisions: &I,
     plate: &TurnedPath,
     mask: &MaskPlate,
     bed: Bed,

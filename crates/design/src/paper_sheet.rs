@@ -3,7 +3,7 @@
 //! Each separator has the registration holes of its piece around it. The sheet is laid on the pins that hold the fabric, and what is
 //! left of it is lifted off: the separators stay in their places.
 
-use crate::placement::{Placement, place};
+use crate::placement::place;
 use crate::{Design, PaperSeparator, PlacedPart, Refusal, RefusalCode, Refusals};
 use geom::{Bounds, Isometry};
 use spec::units::{Length, Readable, tenths_up};
@@ -70,18 +70,16 @@ pub(super) fn paper_sheets(
         design.firsts().filter_map(|first| too_large(first, &boxes[first.index - 1], paper, &sheet));
     refused.collect::<Refusals>().or(())?;
     let (places, sheets) = place(&boxes, &sheet, &rest)?;
-    let on_sheet = |number: usize| {
-        let pieces = placed.iter().zip(&places).filter(move |(_, (sheet, _))| *sheet == number);
-        pieces.map(|(piece, (_, placement)): (&PlacedPart, &Placement)| PlacedSeparator {
-            piece: piece.index,
-            placement: *placement,
-        })
-    };
     let papers = sheets.iter().map(|layout| PaperSheet {
         index: layout.index,
         width: layout.width,
         height: layout.height,
-        separators: on_sheet(layout.index).collect(),
+        separators: placed
+            .iter()
+            .zip(&places)
+            .filter(|(_, (sheet, _))| *sheet == layout.index)
+            .map(|(piece, (_, placement))| PlacedSeparator { piece: piece.index, placement: *placement })
+            .collect(),
     });
     Ok(papers.collect())
 }
@@ -118,8 +116,8 @@ fn extent(design: &Design, piece: &PlacedPart) -> Bounds {
 
 /// The refusal of a separator that does not fit on the paper, turned or not.
 fn too_large(piece: &PlacedPart, bounds: &Bounds, paper: PaperSize, sheet: &Sheet) -> Option<Refusal> {
-    let room = |side: Option<Length>| side.map_or(0.0, |side| side.0 - 2.0 * sheet.margin.0);
-    let (width, height) = (room(sheet.width), room(sheet.height));
+    let [width, height] = [sheet.width, sheet.height]
+        .map(|side| side.map_or(0.0, |side: Length| side.0 - 2.0 * sheet.margin.0));
     let fits = |w: f64, h: f64| w <= width && h <= height;
     if fits(bounds.width(), bounds.height()) || fits(bounds.height(), bounds.width()) {
         return None;

@@ -87,20 +87,21 @@ impl PressPlan {
 
     /// The strokes of the text in letters `height` mm high, and the height of the last line on the page, mm.
     fn written(&self, name: &str, height: f64) -> (Vec<Path>, f64) {
+        let mut rows = vec![
+            (format!("Press plan: {name}"), 0.0, 1.5 * height),
+            (self.settings.clone(), 0.0, 1.2 * height),
+        ];
+        for section in &self.sections {
+            rows.push((" ".to_owned(), 0.0, 0.4 * height));
+            rows.push((section.heading.to_owned(), 0.0, 1.2 * height));
+            let lines = (1..).zip(&section.lines);
+            rows.extend(lines.map(|(number, line)| (format!("{number}. {line}"), height, height)));
+        }
         let (mut strokes, mut y) = (Vec::new(), PAGE[1] - BORDER);
-        let mut write = |text: &str, indent: f64, size: f64| {
-            for line in wrapped(text, PAGE[0] - 2.0 * BORDER - indent, size) {
+        for (text, indent, size) in rows {
+            for line in wrapped(&text, PAGE[0] - 2.0 * BORDER - indent, size) {
                 y -= LEADING * size;
                 strokes.extend(lettered(&line, Point::new(BORDER + indent, y), size));
-            }
-        };
-        write(&format!("Press plan: {name}"), 0.0, 1.5 * height);
-        write(&self.settings, 0.0, 1.2 * height);
-        for section in &self.sections {
-            write(" ", 0.0, 0.4 * height);
-            write(section.heading, 0.0, 1.2 * height);
-            for (number, line) in (1..).zip(&section.lines) {
-                write(&format!("{number}. {line}"), height, height);
             }
         }
         (strokes, y)
@@ -138,6 +139,8 @@ fn wrapped(text: &str, room: f64, height: f64) -> Vec<String> {
 
 /// The first sheet of fabric made small below `top`, with outlines, holes, and separators where they lie.
 fn picture(design: &Design, top: f64) -> Vec<Path> {
+    // The sheet is scaled into the room below the text, and left out where that is too low to be read. Edges, papers
+    // and holes of each piece follow, with the piece's number in its middle.
     let room = Bounds {
         min: Point::new(BORDER, BORDER),
         max: Point::new(PAGE[0] - BORDER, top - 2.0 * LEADING * 2.6),
@@ -180,21 +183,25 @@ fn label(kind: &str, index: usize) -> String {
     format!("{initial}{index}")
 }
 
+/// `x`, 0 or more, rounded to two digits.
+fn two_digits(x: f64) -> f64 {
+    let unit = libm::pow(10.0, (libm::log10(x.max(1e-9)) - 1.0).floor());
+    (x / unit).round() * unit
+}
+
 /// "18 kN (1835 kg)", to two digits.
 fn force_in_words(newton: f64) -> String {
-    let digits = |x: f64| {
-        let unit = libm::pow(10.0, (libm::log10(x.max(1e-9)) - 1.0).floor());
-        (x / unit).round() * unit
-    };
-    let kilograms = digits(newton / GRAVITY);
+    let kilograms = two_digits(newton / GRAVITY);
     if newton < 1000.0 {
-        format!("{} N ({} kg)", Readable(digits(newton)), Readable(kilograms))
+        format!("{} N ({} kg)", Readable(two_digits(newton)), Readable(kilograms))
     } else {
-        format!("{} kN ({} kg)", Readable(digits(newton / 1000.0)), Readable(kilograms))
+        format!("{} kN ({} kg)", Readable(two_digits(newton / 1000.0)), Readable(kilograms))
     }
 }
 
 fn preparation(spec: &Spec, design: &Design, press: &Press) -> Vec<String> {
+    // One line for each thing to do before the first pressing, in the order of doing it. Lines that depend on the
+    // design are left out where it does not have what they speak of.
     let sheets: Vec<String> = design
         .sheets
         .iter()
@@ -345,8 +352,8 @@ mod tests {
 
     #[test]
     fn lines_are_as_long_as_the_room() {
-        let lines = wrapped("seal at (145 C); then cool", 60.0, 3.0);
+        let lines = wrapped("press with 18 kN (1835 kg); then cool", 60.0, 3.0);
         assert!(lines.len() > 1 && lines.iter().all(|line| width(line, 3.0) <= 60.0), "{lines:?}");
-        assert_eq!(lines.join(" "), "SEAL AT 145 C, THEN COOL");
+        assert_eq!(lines.join(" "), "PRESS WITH 18 KN, 1835 KG, THEN COOL");
     }
 }

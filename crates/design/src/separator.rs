@@ -73,7 +73,6 @@ fn label(tongue: &Tongue, text: &str) -> Vec<Path> {
 /// channel opens.
 pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Channel>) -> AirSide {
     let [hole, outside] = edges;
-    let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
     let tongue = channel.map(|channel| Tongue {
         port: 0,
         end: channel.mouth_center(star),
@@ -82,7 +81,7 @@ pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Chann
         length: channel.mouth - star.tip_reach(),
     });
     let outer = if channel.is_some() { Channel::mouth_cut(outside.clone()) } else { outside.clone() };
-    let air_edges = vec![around(&outer), around(hole).reversed()];
+    let air_edges = vec![outer.counterclockwise(), hole.counterclockwise().reversed()];
     AirSide::of_edges(air_edges.clone(), air_edges, tongue.as_slice())
 }
 

@@ -66,6 +66,11 @@ impl Path {
         Self { segments: self.segments.iter().rev().map(Segment::reversed).collect(), closed: self.closed }
     }
 
+    /// This closed path, travelled so that its inside lies on the left.
+    pub fn counterclockwise(&self) -> Self {
+        if self.area() < 0.0 { self.reversed() } else { self.clone() }
+    }
+
     /// Largest gap between the end of a segment and the start of the next (for a closed path also at the seam).
     pub fn largest_gap(&self) -> f64 {
         let next = self.segments.iter().skip(1).chain(self.segments.first().filter(|_| self.closed));

@@ -122,7 +122,7 @@ impl AirSide {
     /// the paper has another number of pieces than there are chambers, a port has no tongue, or a tongue runs over another band.
     pub fn separator(&self, shape: &SealedShape, creep: f64) -> Option<Separator> {
         let (band, chambers) = (shape.band, shape.topology().chambers.len());
-        let outline = counterclockwise(shape.cut.as_ref()?);
+        let outline = shape.cut.as_ref()?.counterclockwise();
         let cut = polyline(&outline);
         let mut pieces: Vec<Polyline<f64>> = Vec::new();
         for edge in self.edges.iter().filter(|edge| edge.area() > 0.0) {
@@ -143,7 +143,7 @@ impl AirSide {
             pieces = cut_up;
         }
         let paths = |lines: &[Polyline<f64>]| -> Vec<Path> {
-            lines.iter().map(|line| merged(&counterclockwise(&of_polyline(line)))).collect()
+            lines.iter().map(|line| merged(&of_polyline(line).counterclockwise())).collect()
         };
         let separator = Separator { pieces: paths(&pieces), windows: paths(&windows) };
         let reached = |mouth: &Mouth| {
@@ -251,8 +251,4 @@ fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
     let there_and_back = Path::closed(path.clone().then(path.reversed()).segments);
     let [around] = <[Path; 1]>::try_from(offset_right(&there_and_back, half)).ok()?;
     Some(polyline(&around))
-}
-
-pub(super) fn counterclockwise(path: &Path) -> Path {
-    if path.area() < 0.0 { path.reversed() } else { path.clone() }
 }

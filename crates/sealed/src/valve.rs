@@ -10,7 +10,6 @@ use crate::mended::NamedPath;
 use crate::offset::offset_right;
 use crate::regions::{enclosing, side_points};
 use crate::segments::{Approach, Segments};
-use crate::separator::counterclockwise;
 use crate::sketch::Rules;
 use geom::{Enclosures, Path, Point, path_distance};
 
@@ -99,8 +98,8 @@ fn named_valves(curves: &[NamedPath], rules: &Rules) -> (Vec<NamedValve>, Vec<Sh
                 continue;
             }
         };
-        let (hole, has_rim) = (counterclockwise(hole), !inner.is_empty());
-        let rim = if has_rim { Some(counterclockwise(path)) } else { widened(&hole, rules.flange) };
+        let (hole, has_rim) = (hole.counterclockwise(), !inner.is_empty());
+        let rim = if has_rim { Some(path.counterclockwise()) } else { widened(&hole, rules.flange) };
         valves.extend(rim.map(|rim| NamedValve { valve: Valve { hole, rim }, names, has_rim }));
     }
     (valves, faults)

@@ -33,6 +33,7 @@ mod product;
 mod profile;
 mod raw;
 mod reading;
+mod release_layer;
 mod render;
 mod schema;
 mod section;
@@ -60,7 +61,7 @@ pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
     Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
-    Limits, Machine, Process, Script, Tool,
+    Limits, Machine, Process, Script, SealingTool,
 };
 pub use message::comma;
 pub use model::{
@@ -76,7 +77,8 @@ pub use profile::{
     usual_profile,
 };
 pub use raw::RawSpec;
-pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, TOXIC, read, read_fabric_of, written_profile};
+pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, read_fabric_of, written_profile};
+pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

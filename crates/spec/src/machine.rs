@@ -11,7 +11,7 @@ pub struct Machine {
     /// One line for `stargrip-cam machines`.
     pub description: String,
     /// The tool that seals.
-    pub tool: Tool,
+    pub tool: SealingTool,
     /// The language and abilities of the controller.
     pub controller: Controller,
     /// The process of sealing: heights, ramp, speeds.
@@ -47,7 +47,7 @@ impl Machine {
         Self {
             name,
             description,
-            tool: Tool::Press,
+            tool: SealingTool::Press,
             controller,
             process,
             bench: Bench::default(),
@@ -59,7 +59,7 @@ impl Machine {
 
 /// The tool that seals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tool {
+pub enum SealingTool {
     /// A hot tip that programs lead along the seams.
     Iron,
     /// Two plates, which press a whole sheet at once and run no program. The controller of such a machine means nothing.

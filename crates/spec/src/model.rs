@@ -118,6 +118,14 @@ pub struct StarSpec {
 }
 
 impl Spec {
+    /// The distance between the air's edges and those of the paper that goes between the sheets, mm; `None` where no paper does.
+    pub fn paper_creep(&self) -> Option<f64> {
+        match &self.press {
+            Some(press) => Some(press.creep.0),
+            None => (self.mask.kind == MaskKind::Separator).then_some(self.mask.creep.0),
+        }
+    }
+
     /// The product that it describes.
     pub fn product(&self) -> ProductKind {
         if self.drawing.is_some() { ProductKind::Drawing } else { ProductKind::Stars }

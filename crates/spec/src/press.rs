@@ -3,9 +3,8 @@
 use crate::FaultCode;
 use crate::allowed::{Allowed, EXTRA, SIZE};
 use crate::fault::{Fault, quoted};
-use crate::model::{MaskKind, Spec};
 use crate::profile::builtin_machine;
-use crate::reading::check_ptfe;
+use crate::release_layer::check_ptfe;
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::units::{Duration, Length, Pressure, Readable, Temperature};
@@ -113,16 +112,6 @@ impl Press {
     }
 }
 
-impl Spec {
-    /// The distance between the air's edges and those of the paper that goes between the sheets, mm; `None` where no paper does.
-    pub fn paper_creep(&self) -> Option<f64> {
-        match &self.press {
-            Some(press) => Some(press.creep.0),
-            None => (self.mask.kind == MaskKind::Separator).then_some(self.mask.creep.0),
-        }
-    }
-}
-
 /// Reads `[press]`: `None` unless it is written, or the machine is the profile `press`.
 pub(super) fn read(reader: &mut Reader<'_>, profile: &str) -> Option<Press> {
     let mut section = reader.section("press");
@@ -214,8 +203,9 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<PressLayer> {
 fn fault_of_layers(layers: &[PressLayer]) -> Option<&'static str> {
     use PressLayer::{Fabric, Release, Separator};
     let lower = layers.windows(3).position(|three| three == [Fabric, Separator, Fabric]);
-    let count = |layer| layers.iter().filter(|other| **other == layer).count();
-    let (Some(lower), 2, 1) = (lower, count(Fabric), count(Separator)) else {
+    let [fabrics, separators] =
+        [Fabric, Separator].map(|layer| layers.iter().filter(|other| **other == layer).count());
+    let (Some(lower), 2, 1) = (lower, fabrics, separators) else {
         return Some("must have two sheets of fabric with the separator between them");
     };
     if !layers[lower..].contains(&Release) {
@@ -230,8 +220,8 @@ fn fault_of_layers(layers: &[PressLayer]) -> Option<&'static str> {
 /// A size of paper by its name, or two lengths.
 fn read_paper(s: &mut Section<'_, '_>) -> Option<PaperSize> {
     let names = PaperSize::NAMES.map(|(name, _)| name);
-    let shape = || ValueShape::Or(Box::new(ValueShape::Area(SIZE)), names.to_vec());
-    let word = s.take("paper", shape())?.as_text().map(str::to_lowercase);
+    let shape = ValueShape::Or(Box::new(ValueShape::Area(SIZE)), names.to_vec());
+    let word = s.take("paper", shape.clone())?.as_text().map(str::to_lowercase);
     let named = PaperSize::NAMES.iter().find(|(name, _)| word.as_deref() == Some(&name.to_lowercase()));
     if let Some((_, size)) = named {
         return Some(*size);
@@ -242,6 +232,6 @@ fn read_paper(s: &mut Section<'_, '_>) -> Option<PaperSize> {
         return None;
     }
     let sides = s.area("paper", SIZE);
-    s.narrow("paper", shape());
+    s.narrow("paper", shape);
     sides.map(|[width, height]| PaperSize::Custom(width, height))
 }

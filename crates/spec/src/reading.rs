@@ -13,6 +13,7 @@ use crate::model::{
     ProgramScope, Seal, Sheet, Spec,
 };
 use crate::raw::RawSpec;
+use crate::release_layer::check_ptfe;
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
@@ -138,6 +139,8 @@ pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
 }
 
 pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
+    // Each section is read on its own, so that all faults are told at once. What concerns two sections is checked
+    // where both are known.
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"five-point star\"")]);
     read_schema(&mut root, 1);
@@ -215,23 +218,6 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     };
     check_ptfe(s, seal.temperature);
     seal
-}
-
-/// From here on the PTFE release layer gives off toxic fumes: no seal is this hot.
-pub const TOXIC: Temperature = Temperature(300.0);
-
-/// Between iron and fabric lies a release layer of PTFE: above 260 C it ages, from 300 C its fumes are toxic.
-pub(super) fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
-    let message = format!("`temperature` is {temperature}");
-    if temperature.0 >= TOXIC.0 {
-        let allowed = "must be less than 300 C: from there the PTFE release layer gives off toxic fumes";
-        s.refuse(FaultCode::Ptfe, "temperature", message, allowed);
-    } else if temperature.0 > 260.0 {
-        let fault = Fault::warning(FaultCode::Ptfe, s.place_of("temperature"), message)
-            .label("above 260 C the PTFE release layer decomposes slowly")
-            .help("seal at 260 C or below, or ensure good ventilation");
-        s.report(fault);
-    }
 }
 
 fn read_mask(s: &mut Section<'_, '_>) -> Mask {

@@ -91,9 +91,17 @@ mod tests {
     /// The starter with the lines behind `mark` switched on.
     fn switched_on(mark: &str) -> String {
         let text = starter("x").expect("a name");
+        // The section of a press is for its profile only.
+        let mut section = "";
         let lines = text.lines().map(|line| match line.strip_prefix(mark) {
-            Some(rest) if begins_with_key(rest) => rest,
-            _ => line,
+            Some(rest) if begins_with_key(rest) => {
+                section = if rest.starts_with('[') { rest } else { section };
+                if section.starts_with("[press]") { "" } else { rest }
+            }
+            _ => {
+                section = if line.starts_with('[') { line } else { section };
+                line
+            }
         });
         lines.collect::<Vec<_>>().join("\n")
     }

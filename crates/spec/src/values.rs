@@ -224,8 +224,8 @@ mod tests {
         ] {
             assert!(has_key(section, key), "[{section}] {key}");
         }
-        let roles = list.iter().find(|one| one.key == "layers").and_then(|one| one.value.as_deref());
-        assert_eq!(roles, Some("air: a"));
+        let layers = list.iter().find(|one| one.key == "layers" && one.section == "drawing");
+        assert_eq!(layers.and_then(|layers| layers.value.as_deref()), Some("air: a"));
         for (section, key) in [
             ("star", "tip_radius"),
             ("stack", "count"),

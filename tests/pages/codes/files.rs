@@ -32,12 +32,15 @@ enum Base {
     Tiled,
     /// A clamp in a corner of the sheet.
     Clamped,
+    /// Sealed by a heat press.
+    Pressed,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
 const SVG: &str = "sheet-1-seal.svg";
 const DXF: &str = "sheet-1-seal.dxf";
+const PAPER_SVG: &str = "paper-1-separator.svg";
 const MOVE: &str = "G1 X256.9069 Y220.6945\n";
 
 const fn edit(code: &'static str, file: &'static str, old: &'static str, new: &'static str) -> Edit {
@@ -161,6 +164,7 @@ fn built(base: Base) -> Built {
         Base::Predicted => "[load]\npressure = \"37 kPa\"\n",
         Base::Tiled => "[mask]\nbed = \"220 mm x 220 mm\"\n",
         Base::Clamped => "[machine]\nprofile = \"own.toml\"\n",
+        Base::Pressed => "[machine]\nprofile = \"press\"\n",
     };
     let text = format!("{PAPER}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
@@ -170,11 +174,24 @@ fn built(base: Base) -> Built {
     build(&read, &machine, sources, &KindRequest::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
+fn all_builds() -> Vec<(Base, Built)> {
+    let bases = [
+        Base::Plain,
+        Base::Hotend,
+        Base::Arcs,
+        Base::Chopped,
+        Base::Predicted,
+        Base::Tiled,
+        Base::Clamped,
+        Base::Pressed,
+    ];
+    bases.into_iter().map(|base| (base, built(base))).collect()
+}
+
 /// The findings in a build with a changed file, with a missing file, and with an extra one.
 pub(crate) fn messages() -> Vec<Message> {
-    let bases =
-        [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted, Base::Tiled, Base::Clamped];
-    let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
+    // Most faults are one change of a text in one file of a build. The others change the list of files, a whole drawing, or a solid.
+    let builds = all_builds();
     let mut messages = Vec::new();
     for &Edit { code, base, file, old, new } in EDITS {
         let (_, build) = builds.iter().find(|(known, _)| *known == base).expect("built");
@@ -215,6 +232,7 @@ pub(crate) fn messages() -> Vec<Message> {
     messages.extend(message_after("wrong-volume", plain.output_files(), |files| {
         move_corners(files, "star-1-mask.stl", 1.01, 0.0);
     }));
+    messages.extend(paper_messages(&builds));
     let (_, tiled) = builds.iter().find(|(base, _)| *base == Base::Tiled).expect("built");
     messages.extend(message_after("wrong-joint", tiled.output_files(), |files| {
         move_corners(files, "star-1-mask-piece-2.stl", 1.0, 0.3);
@@ -224,6 +242,36 @@ pub(crate) fn messages() -> Vec<Message> {
         bytes.to_mut()[96] ^= 0x40;
     }));
     messages
+}
+
+/// The findings in paper that does not fit the seams of a pressed star.
+fn paper_messages(builds: &[(Base, Built)]) -> Vec<Message> {
+    let mut messages = Vec::new();
+    let (_, pressed) = builds.iter().find(|(base, _)| *base == Base::Pressed).expect("built");
+    for (code, layer) in [("narrow-band", "separator-window"), ("welded-air", "separator-edge")] {
+        messages.extend(message_after(code, pressed.output_files(), |files| {
+            change_text(files, PAPER_SVG, |drawing| without_path(&drawing, layer));
+        }));
+    }
+    messages.extend(message_after("stray-paper", pressed.output_files(), |files| {
+        // A strip of paper across the cut, far from the port.
+        let strip = "<path d=\"M0 160 L120 160 L120 176 L0 176 Z\"";
+        change_text(files, PAPER_SVG, |drawing| {
+            let (start, paper) = drawing.rsplit_once("<path d=").expect("the paper's edge");
+            let (_, style) = paper.split_once("\" ").expect("the attributes of a path");
+            let (style, _) = style.split_once('>').expect("an element");
+            format!("{start}{strip} {style}><path d={paper}")
+        });
+    }));
+    messages
+}
+
+/// `drawing` without the first path of the group `layer`.
+fn without_path(drawing: &str, layer: &str) -> String {
+    let (start, group) = drawing.split_once(&format!("id=\"{layer}\"")).expect("a layer");
+    let (head, path) = group.split_once("<path").expect("a path");
+    let (_, rest) = path.split_once("/>").expect("its end");
+    format!("{start}id=\"{layer}\"{head}{rest}")
 }
 
 /// Changes the text of the file `name`.

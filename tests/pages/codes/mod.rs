@@ -39,9 +39,6 @@ const WITHOUT: &[&str] = &[
     "failed",
     "infeasible",
     "not-published",
-    "narrow-band",
-    "stray-paper",
-    "welded-air",
 ];
 
 /// The findings in files that are wrong on purpose.

@@ -27,10 +27,9 @@ impl DrawnCut {
             let remedy = "draw a closed curve on a layer of `cut`";
             return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, problem, remedy));
         };
-        let counterclockwise = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
-        let inside = holes.iter().map(counterclockwise).collect();
+        let inside = holes.iter().map(Path::counterclockwise).collect();
         let valves = shape.valves.iter().map(|valve| valve.hole.clone()).collect();
-        Ok(Self { outside: counterclockwise(outside), inside, valves, kerf: 0.0 })
+        Ok(Self { outside: outside.counterclockwise(), inside, valves, kerf: 0.0 })
     }
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.

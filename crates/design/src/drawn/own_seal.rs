@@ -17,6 +17,11 @@ const HOLE_FLAP: f64 = 1.0;
 /// Distances and angles, mm and rad, by which the two ends of a channel may differ: files have four decimals.
 const ALIKE: f64 = 0.01;
 
+/// Whether `element` is on the layer that this program names so.
+fn is_on_layer(element: &Element, layer: Layer) -> bool {
+    element.names().any(|name| name == layer.name())
+}
+
 /// Adds ports and cuts to `sketch`, as far as `drawing` has the seams of stars on the layers of this program; the notes on them.
 ///
 /// A drawing with ports or cuts of its own is left alone: a person has edited it.
@@ -27,13 +32,12 @@ pub(super) fn complete(
     rules: &Rules,
 ) -> Vec<String> {
     let is_seam = |element: &&Element| spec.role(element.names()) == Some(LayerRole::Seam);
-    let on_layer = |element: &Element, layer: Layer| element.names().any(|name| name == layer.name());
-    let figures = || drawing.elements.iter().filter(is_seam);
+    let figures = drawing.elements.iter().filter(is_seam);
     if !sketch.ports.is_empty() || !sketch.cuts.is_empty() || !sketch.holes.is_empty() {
         return Vec::new();
     }
     let mut names = Vec::new();
-    for element in figures().filter(|element| on_layer(element, Layer::SealOuter)) {
+    for element in figures.clone().filter(|element| is_on_layer(element, Layer::SealOuter)) {
         let Figure::Path(path) = &element.figure else { continue };
         let Some((closed, port)) = closed_at_mouth(path, rules) else { continue };
         let Some(seam) = sketch.seams.iter_mut().find(|seam| seam.path == *path) else { continue };
@@ -44,10 +48,10 @@ pub(super) fn complete(
     if names.is_empty() {
         return Vec::new();
     }
-    let inner = figures().filter(|element| on_layer(element, Layer::SealInner));
+    let inner = figures.filter(|element| is_on_layer(element, Layer::SealInner));
     let holes = inner.filter_map(|element| {
         let Figure::Path(path) = &element.figure else { return None };
-        let around = if path.area() < 0.0 { path.reversed() } else { path.clone() };
+        let around = path.counterclockwise();
         let path = offset(&around, -(rules.band / 2.0 + HOLE_FLAP))?;
         Some(DrawnCurve { name: element.id.clone(), path })
     });

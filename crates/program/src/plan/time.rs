@@ -56,7 +56,7 @@ impl<'a> Clock<'a> {
         let (speed, acceleration) = (process.travel_speed.0, motion.acceleration.map(|a| a.0));
         let limits = TravelLimits { dialect: controller.dialect, speed, acceleration };
         let Some(mut travel) = Travel::new(limits, way) else { return };
-        self.elapsed += travel.after(self.last.as_ref());
+        self.elapsed += travel.seconds_after(self.last.as_ref());
         self.last = Some(travel);
     }
 }

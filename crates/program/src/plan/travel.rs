@@ -51,7 +51,7 @@ impl TravelLimits {
         let mut elapsed = 0.0;
         let mut last = None;
         for mut travel in ways.iter().filter_map(|way| Travel::new(self, *way)) {
-            elapsed += travel.after(last.as_ref());
+            elapsed += travel.seconds_after(last.as_ref());
             last = Some(travel);
         }
         elapsed
@@ -94,7 +94,7 @@ impl Travel {
     }
 
     /// Time to rest after `last`, a travel that needs not end at rest any more, less the time that `last` is spared, s.
-    pub(super) fn after(&mut self, last: Option<&Self>) -> f64 {
+    pub(super) fn seconds_after(&mut self, last: Option<&Self>) -> f64 {
         let spared = last.map_or(0.0, |last| self.join(last));
         self.seconds() - spared
     }

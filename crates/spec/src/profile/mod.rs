@@ -15,7 +15,7 @@ mod script;
 use crate::FaultCode;
 use crate::faults::Faults;
 use crate::foreign::Document;
-use crate::machine::{Machine, Script, Tool};
+use crate::machine::{Machine, Script, SealingTool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
 use crate::profile::motion::read_motion;
@@ -52,9 +52,9 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
         is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
     let description = description.unwrap_or_default();
-    let tools = [("iron", Tool::Iron), ("press", Tool::Press)];
-    let tool = root.choice("tool", &tools).unwrap_or(Tool::Iron);
-    if tool == Tool::Press {
+    let tools = [("iron", SealingTool::Iron), ("press", SealingTool::Press)];
+    let tool = root.choice("tool", &tools).unwrap_or(SealingTool::Iron);
+    if tool == SealingTool::Press {
         return Machine::press(name, description);
     }
     root.require(&[("dialect", "\"generic\"")]);

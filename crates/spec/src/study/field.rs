@@ -42,14 +42,16 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 
 impl Field {
     /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
-    /// the list of single stars, `build.with`, or one of a drawing, since studies cover only stars.
+    /// the list of single stars, `build.with`, or one of a drawing or of a press, since studies cover stars and what they do.
     pub fn find(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let is_named =
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(is_named)?;
         let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
+        // A press seals all at once: no prediction depends on how.
         let is_of_another_product = of_drawings.contains(&key)
+            || key.section() == key::press::CREEP.section()
             || ProductKind::ALL
                 .iter()
                 .any(|(section, product)| *product != ProductKind::Stars && *section == key.section());
@@ -270,6 +272,13 @@ mod tests {
             "mask.kind",
             "sheet.copies",
             "load.chambers",
+            "press.temperature",
+            "press.time",
+            "press.pressure",
+            "press.layers",
+            "press.creep",
+            "press.paper",
+            "press.plates",
             "build.with",
         ];
         assert_eq!(unset_names, expected);

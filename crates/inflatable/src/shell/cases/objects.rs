@@ -37,6 +37,15 @@ impl Hysteresis {
         (self.opening_force - self.closing_force).abs() / self.opening_force.max(self.closing_force)
     }
 
+    /// With lengths `length` times as long and forces `force` times as large.
+    pub(super) fn scaled(self, length: f64, force: f64) -> Self {
+        Self {
+            radius: length * self.radius,
+            opening_force: force * self.opening_force,
+            closing_force: force * self.closing_force,
+        }
+    }
+
     /// Whether the forces differ by more than noise.
     pub fn is_snap(self) -> bool {
         self.difference() > LEAST_DIFFERENCE
@@ -50,7 +59,8 @@ impl Hysteresis {
 /// If it is cancelled.
 pub(super) fn hysteresis(
     tube: &Tube,
-    (solver, post): (&mut Solver, usize),
+    solver: &mut Solver,
+    post: usize,
     star: &Indented,
     radius: f64,
 ) -> Result<Option<Hysteresis>, ShellFault> {
@@ -63,7 +73,7 @@ pub(super) fn hysteresis(
     let aim = tube.continuation().aim(tube.continuation().last);
     let mut state = star.state.clone();
     let outcome = open((&mut *solver, post), &mut state, aim, [radius, radius + BEYOND])
-        .and_then(|()| rest_around((&mut *solver, post), &mut state, aim, radius));
+        .and_then(|()| rest_around(&mut *solver, post, &mut state, aim, radius));
     let closing_force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
     solver.contact = former_contact;
     match outcome {
@@ -75,7 +85,8 @@ pub(super) fn hysteresis(
 
 /// Solves for an equilibrium around an object of `radius`, from `state`.
 fn rest_around(
-    (solver, post): (&mut Solver, usize),
+    solver: &mut Solver,
+    post: usize,
     state: &mut State,
     aim: Aim,
     radius: f64,
@@ -166,7 +177,7 @@ fn open_from(
 ) -> Result<(), Stop> {
     let former_contact = std::mem::replace(&mut solver.contact, contact);
     solver.is_rough = true;
-    match rest_around((&mut *solver, post), &mut start, aim, to) {
+    match rest_around(&mut *solver, post, &mut start, aim, to) {
         Ok(()) => {
             *state = start;
             Ok(())
@@ -190,7 +201,7 @@ fn open(
     while radius < to {
         let (start, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
-        match rest_around((&mut *solver, post), state, aim, next) {
+        match rest_around(&mut *solver, post, state, aim, next) {
             Ok(()) => {
                 radius = next;
                 // A stiffness that was enough for this step saves the next one rounds.
@@ -288,7 +299,7 @@ mod tests {
             open((&mut solver, post), &mut state, aim, [radius, rest + opening]).expect("an equilibrium");
             radius = rest + opening;
             let star = Indented { state: state.clone(), contact: solver.contact.clone() };
-            let forces = hysteresis(&paper_tube, (&mut solver, post), &star, radius).expect("not cancelled");
+            let forces = hysteresis(&paper_tube, &mut solver, post, &star, radius).expect("not cancelled");
             let [before, after] =
                 [&star.contact, &solver.contact].map(|contact| contact.as_ref().map(|c| c.force(post)));
             assert_eq!(before, after, "the contact is as before");

@@ -272,7 +272,7 @@ pub fn star_by_sizes(
         let largest = objects.largest(&case.tube, &equilibrium.state);
         if let Some((radius, pressed)) = largest.zip(beside.get(count.wrapping_sub(1))).filter(|_| is_opened)
         {
-            snap_forces = hysteresis(&case.tube, (solver, post), pressed, radius)?;
+            snap_forces = hysteresis(&case.tube, solver, post, pressed, radius)?;
         }
         Ok(StarNumbers { seal_tension, stretch, seal_pull, forces, slips, ..at_rest }.into())
     })?;
@@ -291,11 +291,7 @@ pub fn star_by_sizes(
         radial_stiffness: values.stiffness.scaled(sheets * force / w),
         forces: forces.map(|(size, value)| (*size, value.scaled(sheets * force))).collect(),
         slips: values.slips[..count].to_vec(),
-        hysteresis: snap_forces.map(|forces: Hysteresis| Hysteresis {
-            radius: w * forces.radius,
-            opening_force: sheets * force * forces.opening_force,
-            closing_force: sheets * force * forces.closing_force,
-        }),
+        hysteresis: snap_forces.map(|forces: Hysteresis| forces.scaled(w, sheets * force)),
         extremes: values.extremes(&case.tube, places),
         shape,
         evidence,

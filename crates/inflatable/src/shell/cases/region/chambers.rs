@@ -44,7 +44,7 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
     let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
     let mut nested: Vec<(usize, FlatChamber)> = Vec::new();
     for (outline, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 0) {
-        let outline = if outline.area() < 0.0 { outline.reversed() } else { outline.clone() };
+        let outline = outline.counterclockwise();
         nested.push((*depth, FlatChamber { outline, ..FlatChamber::default() }));
     }
     for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {

@@ -35,6 +35,11 @@ pub(super) fn check(expected: &Expected<'_>, drawing: &Drawing, paper: usize, fi
     }
 }
 
+/// "of star 1 at 12 40 mm", to whole millimetres.
+fn place_in_words(piece: &impl std::fmt::Display, p: Point) -> String {
+    format!("of {piece} at {} {} mm", Readable(p.x.round()), Readable(p.y.round()))
+}
+
 /// Judges the paper of one piece; of each kind of fault the first is reported.
 fn judge_piece(
     expected: &Expected<'_>,
@@ -42,6 +47,8 @@ fn judge_piece(
     area: &PaperArea,
     findings: &mut Findings,
 ) {
+    // Seams, cut and ports of the piece are moved to where the paper lies. Then paper is looked for where none may be,
+    // and missed where the air is.
     let design = expected.design;
     let Some(placed) = design.placed().iter().find(|placed| placed.index == separator.piece) else { return };
     let motion = &separator.placement;
@@ -56,19 +63,29 @@ fn judge_piece(
         ports: flat.ports.iter().map(|port| Port { at: motion.point(port.at), ..*port }).collect(),
         ..flat.clone()
     };
-    let place =
-        |p: Point| format!("of {} at {} {} mm", placed.name(), Readable(p.x.round()), Readable(p.y.round()));
     if let Some(p) = paper_in_band(&shape, area) {
         let allowed = format!("bands of {} mm without paper", shape.band);
-        findings.add(FindingCode::NarrowBand, format!("paper in a band {}", place(p)), allowed);
+        findings.add(
+            FindingCode::NarrowBand,
+            format!("paper in a band {}", place_in_words(&placed.name(), p)),
+            allowed,
+        );
     }
     if let Some(p) = welded_air(&shape, area) {
         let allowed = "paper along the band, on its side of the air";
-        findings.add(FindingCode::WeldedAir, format!("no paper beside a band {}", place(p)), allowed);
+        findings.add(
+            FindingCode::WeldedAir,
+            format!("no paper beside a band {}", place_in_words(&placed.name(), p)),
+            allowed,
+        );
     }
     if let Some(p) = stray_paper(&shape, area) {
         let allowed = "paper that leaves the piece through its ports only";
-        findings.add(FindingCode::StrayPaper, format!("paper across the cut {}", place(p)), allowed);
+        findings.add(
+            FindingCode::StrayPaper,
+            format!("paper across the cut {}", place_in_words(&placed.name(), p)),
+            allowed,
+        );
     }
 }
 
@@ -88,16 +105,20 @@ fn probes(path: &Path) -> impl Iterator<Item = (Point, Vec2)> + '_ {
     })
 }
 
+/// Whether `p` lies within `cut`, the outline of the piece; a piece without one is everywhere.
+fn is_in_piece(p: Point, cut: Option<&Enclosures>) -> bool {
+    cut.is_none_or(|cut| cut.around(p).len() == 1)
+}
+
 /// A place in a band where paper lies.
 fn paper_in_band(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let cut = shape.cut.as_ref().map(|cut| Enclosures::new([cut]));
-    let is_in_piece = |p: &Point| cut.as_ref().is_none_or(|cut| cut.around(*p).len() == 1);
     let reach = shape.band / 2.0 + area.gap - OFF;
     let mut across =
         shape.seams.iter().flat_map(|seam| probes(&seam.center_line)).flat_map(|(p, left)| {
             [0.0, reach / 2.0, -reach / 2.0, reach, -reach].map(|aside| p + left * aside)
         });
-    across.find(|p| is_in_piece(p) && area.covers(*p))
+    across.find(|p| is_in_piece(*p, cut.as_ref()) && area.covers(*p))
 }
 
 /// A place beside a band where the sheets weld on both sides.
@@ -105,17 +126,16 @@ fn paper_in_band(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
 /// A probe that is nearer to another part of a band than to its own says nothing, nor one beyond the cut.
 fn welded_air(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let cut = shape.cut.as_ref().map(|cut| Enclosures::new([cut]));
-    let is_in_piece = |p: Point| cut.as_ref().is_none_or(|cut| cut.around(p).len() == 1);
     let lines = shape.seams.iter().flat_map(|seam| seam.center_line.segments.clone());
     let lines = SegmentIndex::new(lines.collect());
     let reach = shape.band / 2.0 + area.gap + OFF;
     let is_clear = |p: Point| !lines.has_within(p, reach - 1e-6);
     let along = shape.seams.iter().flat_map(|seam| probes(&seam.center_line));
     along
-        .filter(|(p, _)| is_in_piece(*p))
+        .filter(|(p, _)| is_in_piece(*p, cut.as_ref()))
         .find(|(p, left)| {
             let sides = [*p + *left * reach, *p - *left * reach];
-            let are_telling = sides.iter().all(|side| is_clear(*side) && is_in_piece(*side));
+            let are_telling = sides.iter().all(|side| is_clear(*side) && is_in_piece(*side, cut.as_ref()));
             are_telling && !sides.iter().any(|side| area.covers(*side))
         })
         .map(|(p, _)| p)
