@@ -250,7 +250,7 @@ fn paper_messages(builds: &[(Base, Built)]) -> Vec<Message> {
     let (_, pressed) = builds.iter().find(|(base, _)| *base == Base::Pressed).expect("built");
     for (code, layer) in [("narrow-band", "separator-window"), ("welded-air", "separator-edge")] {
         messages.extend(message_after(code, pressed.output_files(), |files| {
-            change_text(files, PAPER_SVG, |drawing| without_path(&drawing, layer));
+            change_text(files, PAPER_SVG, |drawing| without_path(drawing, layer));
         }));
     }
     messages.extend(message_after("stray-paper", pressed.output_files(), |files| {
