@@ -24,7 +24,7 @@ pub struct Hysteresis {
     pub radius: f64,
     /// Force on the object when it has opened the star from rest.
     pub opening_force: f64,
-    /// Force on the object when the star has closed on it from [`BEYOND`].
+    /// Force on the object when the star has closed on it from a wider opening.
     pub closing_force: f64,
 }
 
