@@ -271,7 +271,6 @@ mod tests {
             "drawing.layers",
             "mask.kind",
             "sheet.copies",
-            "load.chambers",
             "press.temperature",
             "press.time",
             "press.pressure",
@@ -279,6 +278,7 @@ mod tests {
             "press.creep",
             "press.paper",
             "press.plates",
+            "load.chambers",
             "build.with",
         ];
         assert_eq!(unset_names, expected);
