@@ -745,7 +745,8 @@ def build(
 
     only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but the kinds that only `with_` adds (docs/spec.md, `build.with`).
     with_: kinds to make in addition: `["report"]`.
-    anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model.
+    anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model. It also
+    computes a shell of any size.
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
     Raises DesignError if there is no such gripper or it is refused, ProofError for a fault of the program.
