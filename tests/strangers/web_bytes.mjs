@@ -26,7 +26,7 @@ const fresh = () => instance(compiled, (part) => parts.push(part));
 
 /** Every spec below designs/, and the one with every feature; each with the drawing beside it. */
 function specs() {
-    const found = ["designs", "designs/drawings"].flatMap((dir) => readdirSync(dir).filter((name) => name.endsWith(".toml")).map((name) => join(dir, name)));
+    const found = ["designs", "designs/drawings", "designs/press"].flatMap((dir) => readdirSync(dir).filter((name) => name.endsWith(".toml")).map((name) => join(dir, name)));
     const drawing = (spec) => /^file = "(.*)"$/m.exec(readFileSync(spec, "utf8"))?.[1];
     return [...found, "tests/golden/every-feature.toml"].map((spec) => ({ spec, drawing: drawing(spec) }));
 }

@@ -1,6 +1,6 @@
 // Nothing is lost: random sequences of what a person does, against a model of the history, in Chromium.
 // Usage: node web_history.mjs PAGES [SEQUENCES], with NODE_PATH at playwright-core and axe-core.
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { deflateRawSync } from "node:zlib";
 import { beside, dropped, ended, launched, must, onDisk, opened, ready } from "./web_page.mjs";
 
@@ -65,7 +65,8 @@ const actions = {
     choose: async (page, model) => {
         const names = await page.$$eval("#designs option", (list) => list.map(({ value }) => value).filter(Boolean));
         const name = names[model.random(names.length)];
-        const text = readFileSync(`designs/${/hand|letters|finger|pillow/.test(name) ? "drawings/" : ""}${name}.toml`, "utf8");
+        const folder = ["", "drawings/", "press/"].find((folder) => existsSync(`designs/${folder}${name}.toml`));
+        const text = readFileSync(`designs/${folder}${name}.toml`, "utf8");
         await beside(page, "start");
         await page.selectOption("#designs", name);
         if (text !== model.text) await changed(page, model.text);
