@@ -3,6 +3,7 @@
 use crate::emit;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
+use inflatable::numerics::last_holding;
 use program::plan::Pace;
 use proof::verify::Phase;
 use proof::verify::gcode::Comment;
@@ -10,6 +11,8 @@ use spec::LEAST_ACCELERATION;
 
 /// An acceleration that no machine exceeds, mm/s^2: from there on travels count as at speed at once.
 const MOST_ACCELERATION: f64 = 1e6;
+/// Rounds of a search for an acceleration: each halves the logarithm of the range, down to a millionth.
+const ROUNDS: u32 = 30;
 
 /// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {
@@ -88,16 +91,9 @@ impl Figures {
 
 /// The acceleration, mm/s^2, with which the travels of `toolpath` take `seconds`; `None` if they take no longer than at speed at once.
 fn travel_acceleration(toolpath: &Toolpath<'_>, seconds: f64) -> Option<f64> {
-    let (mut low, mut high) = (LEAST_ACCELERATION, MOST_ACCELERATION);
-    if toolpath.travelling(Some(high)) >= seconds {
-        return None;
-    }
-    // Halves the logarithm of the range to a millionth.
-    for _ in 0..30 {
-        let middle = (low * high).sqrt();
-        if toolpath.travelling(Some(middle)) > seconds { low = middle } else { high = middle }
-    }
-    Some(high)
+    let is_quick = |acceleration: f64| toolpath.travelling(Some(acceleration)) <= seconds;
+    (toolpath.travelling(Some(MOST_ACCELERATION)) < seconds)
+        .then(|| last_holding(MOST_ACCELERATION, LEAST_ACCELERATION, ROUNDS, is_quick))
 }
 
 /// The comment in a line that contains nothing else.
