@@ -249,17 +249,6 @@ mod tests {
 
     use crate::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch, sealed_shape};
 
-    const RULES: Rules = Rules {
-        band: 2.0,
-        allowance: 8.0,
-        join: 0.05,
-        overlap: 5.0,
-        port_width: 6.0,
-        overrun: 1.0,
-        least_passage: 5.0,
-        flange: 10.0,
-    };
-
     /// Necks as wide as the hose or wider, whose sides are not quite parallel, with a closed end and an open one.
     /// Each is drawn once as a polygon and once open at the port.
     #[test]
@@ -285,11 +274,11 @@ mod tests {
                     let air = vec![DrawnCurve { name: "edge".to_owned(), path }];
                     let place = PortPlace::Across([p(-length - 3.0, 0.0), p(0.4 - length, 0.0)]);
                     let ports = vec![DrawnPort { name: "port".to_owned(), place }];
-                    let sealing = sealed_shape(&Sketch { air, ports, ..Sketch::default() }, &RULES);
+                    let sealing = sealed_shape(&Sketch { air, ports, ..Sketch::default() }, &Rules::SAMPLE);
                     let case = format!("length {length}, flare {flare}, skew {skew}, half {half}");
                     let width =
                         sealing.unwrap_or_else(|faults| panic!("{case}: {faults:?}")).shape.ports[0].width;
-                    assert!(width >= RULES.port_width - RULES.join - 1e-9, "{case}: {width}");
+                    assert!(width >= Rules::SAMPLE.port_width - Rules::SAMPLE.join - 1e-9, "{case}: {width}");
                 }
             }
         }

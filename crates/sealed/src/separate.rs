@@ -187,17 +187,6 @@ fn open_outlines(network: &Network, air: usize) -> Vec<OuterRing> {
 mod tests {
     use super::*;
 
-    const RULES: Rules = Rules {
-        band: 2.0,
-        allowance: 8.0,
-        join: 0.05,
-        overlap: 5.0,
-        port_width: 6.0,
-        overrun: 1.0,
-        least_passage: 5.0,
-        flange: 10.0,
-    };
-
     /// Open lines far from each other, as seams and as cuts: no piece has an outline.
     #[test]
     fn lines_without_an_outline_are_one_piece() {
@@ -211,7 +200,7 @@ mod tests {
             Sketch { cuts: lines(), seams: lines(), ..Sketch::default() },
             Sketch { cuts: lines(), ..Sketch::default() },
         ] {
-            assert_eq!(separate(&sketch, &RULES).len(), 1);
+            assert_eq!(separate(&sketch, &Rules::SAMPLE).len(), 1);
         }
     }
 }

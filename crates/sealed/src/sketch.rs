@@ -68,6 +68,19 @@ pub struct Rules {
 }
 
 impl Rules {
+    /// Rules for the tests of this crate.
+    #[cfg(test)]
+    pub(crate) const SAMPLE: Self = Self {
+        band: 2.0,
+        allowance: 8.0,
+        join: 0.05,
+        overlap: 5.0,
+        port_width: 6.0,
+        overrun: 1.0,
+        least_passage: 5.0,
+        flange: 10.0,
+    };
+
     /// Largest distance of a port from its edge, mm.
     pub(crate) fn farthest_port(&self) -> f64 {
         self.port_width.max(5.0)

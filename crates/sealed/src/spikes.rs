@@ -188,17 +188,7 @@ mod tests {
 
     use crate::{DrawnCurve, DrawnPort, PortPlace, Rules, Sealing, Sketch, sealed_shape};
 
-    const JOIN: f64 = 0.05;
-    const RULES: Rules = Rules {
-        band: 2.0,
-        allowance: 8.0,
-        join: JOIN,
-        overlap: 5.0,
-        port_width: 6.0,
-        overrun: 1.0,
-        least_passage: 5.0,
-        flange: 10.0,
-    };
+    const JOIN: f64 = Rules::SAMPLE.join;
 
     /// A rectangle of 100 x 60 mm with one rounded corner, one cut off and a round bay; from the middle of the left side on, where the
     /// port is.
@@ -308,7 +298,7 @@ mod tests {
     fn sealed(path: Path) -> Sealing {
         let air = vec![DrawnCurve { name: "edge".to_owned(), path }];
         let port = DrawnPort { name: "port".to_owned(), place: PortPlace::At(Point::new(0.0, 30.0)) };
-        sealed_shape(&Sketch { air, ports: vec![port], ..Sketch::default() }, &RULES)
+        sealed_shape(&Sketch { air, ports: vec![port], ..Sketch::default() }, &Rules::SAMPLE)
             .unwrap_or_else(|faults| panic!("{faults:?}"))
     }
 
@@ -353,7 +343,7 @@ mod tests {
         let air = vec![DrawnCurve { name: "edge".to_owned(), path: Path::polygon(&wall) }];
         let port = |x| DrawnPort { name: "port".to_owned(), place: PortPlace::At(p(x, 30.0)) };
         let sketch = Sketch { air, ports: vec![port(0.0), port(100.0)], ..Sketch::default() };
-        let sealing = sealed_shape(&sketch, &RULES).unwrap();
+        let sealing = sealed_shape(&sketch, &Rules::SAMPLE).unwrap();
         assert_eq!(sealing.shape.topology().chambers.len(), 2);
         // A corner of 10 degrees.
         let side = |sign: f64| {
