@@ -71,28 +71,37 @@ fn list(machines: &[Machine]) -> String {
     let mut text = String::new();
     for machine in machines {
         let _ = writeln!(text, "{:15} {}", machine.name, machine.description);
-        let ability =
-            if machine.tool == SealingTool::Press { NO_PROGRAM.to_owned() } else { at_slow(machine) };
-        let _ = writeln!(text, "{:15}   {ability}", "");
+        let _ = writeln!(text, "{:15}   {}", "", at_slow(machine));
     }
     text
 }
 
 fn json(machines: &[Machine]) -> String {
-    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": if machine.tool == SealingTool::Press { NO_PROGRAM.to_owned() } else { ability(&machine.motion) } });
+    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(machine) });
     pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
 }
 
-/// What is said of a machine that no program moves.
+/// The ability of a machine that no program moves.
 const NO_PROGRAM: &str = "no program: `time` and `temperature` in [press]";
 
-/// The behaviour at the seal speed of the paper.
+/// The behaviour at the seal speed of the paper, with that speed where there is one.
 fn at_slow(machine: &Machine) -> String {
-    format!("at {SLOW} mm/s: {}", ability(&machine.motion))
+    match machine.tool {
+        SealingTool::Iron => format!("at {SLOW} mm/s: {}", ability(machine)),
+        SealingTool::Press => ability(machine),
+    }
 }
 
 /// The behaviour of a machine at a commanded speed of 0.1 mm/s.
-fn ability(motion: &Motion) -> String {
+fn ability(machine: &Machine) -> String {
+    match machine.tool {
+        SealingTool::Iron => steady_or_chopped(&machine.motion),
+        SealingTool::Press => NO_PROGRAM.to_owned(),
+    }
+}
+
+/// Whether a controller moves that slowly, and how.
+fn steady_or_chopped(motion: &Motion) -> String {
     let need = motion.steps_needed(SLOW).map_or(String::new(), |(axis, diagonal)| {
         format!(
             "; without chopping from {:.0} steps/mm along an axis, {:.0} at 45 deg",

@@ -171,10 +171,9 @@ fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
             counted(forecast.design.papers.len(), "sheet")
         )
     });
-    let force = plan.settings.split_once(": ").map_or("", |(_, force)| force);
     let number = forecast.design.sheets.len();
     let mut rows = vec![
-        ("pressing", format!("{}; {force}", sealing_in_words(forecast))),
+        ("pressing", format!("{}; a force of {}", sealing_in_words(forecast), plan.force_in_words())),
         (
             if number == 1 { "sheet" } else { "sheets" },
             format!("{number} of {}, two layers each", forecast.sheet_sizes()),

@@ -92,7 +92,7 @@ impl Forecast {
 fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
     let force = format!(
         "the press must give {} on the whole sheet, or seal smaller sheets one after another",
-        plan.settings.split_once("a force of ").map_or("", |(_, force)| force)
+        plan.force_in_words()
     );
     let peel =
         "only a peel test of strips of this fabric shows whether temperature, time and pressure seal it"

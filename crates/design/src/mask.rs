@@ -128,7 +128,7 @@ fn thin_rim(rim: f64, spec: &Spec) -> Refusal {
 /// Density of VPS-32 (Elite Double 32), kg/m^3, by its maker.
 const DENSITY: f64 = 1160.0;
 /// Standard gravity, m/s^2.
-const GRAVITY: f64 = 9.806_65;
+pub(crate) const GRAVITY: f64 = 9.806_65;
 /// The time integral of the inverse viscosity until the silicone gels, 1/Pa: the range for pours from at once to
 /// some minutes after mixing (mu = 7.1 Pa s exp(2.06e-3 t), Lee et al. 2016).
 const FLUIDITY: [f64; 2] = [50.0, 68.0];

@@ -3,8 +3,8 @@
 //! Each separator has the registration holes of its piece around it. The sheet is laid on the pins that hold the fabric, and what is
 //! left of it is lifted off: the separators stay in their places.
 
-use crate::placement::place;
-use crate::{Design, PaperSeparator, PlacedPart, Refusal, RefusalCode, Refusals};
+use crate::placement::{Placement, place};
+use crate::{Design, PaperSeparator, PlacedPart, Refusal, RefusalCode, Refusals, SheetLayout};
 use geom::{Bounds, Isometry};
 use spec::units::{Length, Readable, tenths_up};
 use spec::{Machine, MaskKind, PaperSize, Sheet, Spec, key};
@@ -51,25 +51,11 @@ pub(super) fn paper_sheets(
         return Ok(Vec::new());
     }
     let placed = design.placed();
-    let paper = spec.press.as_ref().and_then(|press| press.paper);
-    let Some(paper) = paper else {
-        let sheet = |layout: &crate::SheetLayout| PaperSheet {
-            index: layout.index,
-            width: layout.width,
-            height: layout.height,
-            separators: design
-                .on_sheet(layout.index)
-                .map(|piece| PlacedSeparator { piece: piece.index, placement: piece.placement })
-                .collect(),
-        };
-        return Ok(design.sheets.iter().map(sheet).collect());
+    let (places, sheets) = match spec.press.as_ref().and_then(|press| press.paper) {
+        Some(paper) => nested(machine, design, paper)?,
+        // Paper as large as the fabric lies as the pieces do.
+        None => (placed.iter().map(|piece| (piece.sheet, piece.placement)).collect(), design.sheets.clone()),
     };
-    let (sheet, rest) = (sheet_of(paper), Machine { bench: spec::Bench::default(), ..machine.clone() });
-    let boxes: Vec<Bounds> = placed.iter().map(|piece| extent(design, piece)).collect();
-    let refused =
-        design.firsts().filter_map(|first| too_large(first, &boxes[first.index - 1], paper, &sheet));
-    refused.collect::<Refusals>().or(())?;
-    let (places, sheets) = place(&boxes, &sheet, &rest)?;
     let papers = sheets.iter().map(|layout| PaperSheet {
         index: layout.index,
         width: layout.width,
@@ -82,6 +68,21 @@ pub(super) fn paper_sheets(
             .collect(),
     });
     Ok(papers.collect())
+}
+
+/// The separators of all pieces placed on as many sheets of `paper` as they need, and these sheets.
+fn nested(
+    machine: &Machine,
+    design: &Design,
+    paper: PaperSize,
+) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusals> {
+    let (sheet, bare_machine) =
+        (sheet_of(paper), Machine { bench: spec::Bench::default(), ..machine.clone() });
+    let boxes: Vec<Bounds> = design.placed().iter().map(|piece| extent(design, piece)).collect();
+    let too_large =
+        design.firsts().filter_map(|first| too_large(first, &boxes[first.index - 1], paper, &sheet));
+    too_large.collect::<Refusals>().or(())?;
+    Ok(place(&boxes, &sheet, &bare_machine)?)
 }
 
 /// The room for separators on `paper`. Of paper with a name it is what a printer prints of it, so that each sheet is one page.

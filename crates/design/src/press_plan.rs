@@ -1,16 +1,14 @@
 //! The instructions for a heat press: what lies between the plates, how hot, how long, with which force, and what to do before and after.
 
 use crate::lettering::{lettered, width};
+use crate::mask::GRAVITY;
 use crate::overview::Scaled;
 use crate::paper::Page;
-use crate::{CutEdge, Design, Drawing, Layer, Origin, Shape};
+use crate::{CutEdge, Design, Drawing, Layer, Origin, Shape, separator};
 use geom::{Bounds, Path, Point, Vec2};
 use sealed::Tongue;
 use spec::units::{Readable, counted};
 use spec::{PaperSize, Press, PressLayer, Spec};
-
-/// Standard gravity, m/s^2.
-const GRAVITY: f64 = 9.806_65;
 
 /// The instructions for the press of a spec.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +59,11 @@ impl PressPlan {
         ];
         let seconds = press.time.0 * f64::from(u32::try_from(pressings).unwrap_or(u32::MAX));
         Some(Self { pressings, seconds, area, force, settings, sections })
+    }
+
+    /// The force of the press, to two digits: "18 kN (1800 kg)".
+    pub fn force_in_words(&self) -> String {
+        force_in_words(self.force)
     }
 
     /// "1 pressing of 10 s at 145 C and 2 bar"
@@ -167,7 +170,7 @@ fn picture(design: &Design, top: f64) -> Vec<Path> {
         paths.extend(holes.flat_map(|hole| {
             hole.paths().iter().map(|path| small.path(&placed.placement.path(path))).collect::<Vec<_>>()
         }));
-        let text = label(placed.kind, placed.index);
+        let text = separator::name(placed);
         let middle = small.point(placed.placement.point(part.middle()));
         paths.extend(lettered(&text, middle - Vec2::new(width(&text, NUMBER), NUMBER) * 0.5, NUMBER));
     }
@@ -177,19 +180,13 @@ fn picture(design: &Design, top: f64) -> Vec<Path> {
 /// Height of a piece's number in the picture, mm.
 const NUMBER: f64 = 2.5;
 
-/// "S1" for star 1, as on its tongue.
-fn label(kind: &str, index: usize) -> String {
-    let initial = kind.chars().next().map_or(' ', |letter| letter.to_ascii_uppercase());
-    format!("{initial}{index}")
-}
-
 /// `x`, 0 or more, rounded to two digits.
 fn two_digits(x: f64) -> f64 {
     let unit = libm::pow(10.0, (libm::log10(x.max(1e-9)) - 1.0).floor());
     (x / unit).round() * unit
 }
 
-/// "18 kN (1835 kg)", to two digits.
+/// "18 kN (1800 kg)", to two digits.
 fn force_in_words(newton: f64) -> String {
     let kilograms = two_digits(newton / GRAVITY);
     if newton < 1000.0 {
@@ -262,7 +259,7 @@ fn layers(design: &Design, press: &Press) -> Vec<String> {
                     .placed()
                     .iter()
                     .filter(|placed| design.sheets.len() < 2 || placed.sheet == 1)
-                    .map(|placed| label(placed.kind, placed.index))
+                    .map(separator::name)
                     .collect();
                 let of_first = if design.sheets.len() > 1 { " (first pressing)" } else { "" };
                 format!(
@@ -298,7 +295,7 @@ fn finish(spec: &Spec, design: &Design) -> Vec<String> {
     let placed = design.placed();
     for piece in placed.iter().take(LISTED) {
         let Some(paper) = design.part(piece).separator() else { continue };
-        let name = label(piece.kind, piece.index);
+        let name = separator::name(piece);
         let ends = paper.tongues.iter().map(|tongue| place_of(tongue, piece.placement.point(tongue.end)));
         let ends: Vec<String> = ends.collect();
         let sheet =

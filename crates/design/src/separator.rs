@@ -36,8 +36,9 @@ impl PaperSeparator {
         let Some(creep) = spec.paper_creep() else { return Ok(None) };
         let kerf = spec.cut.kerf.0;
         let key = if spec.press.is_some() { key::press::CREEP } else { key::mask::CREEP };
-        let made = |creep: f64| air.separator(shape, creep);
-        let part = made(creep).ok_or_else(|| no_separator(key, creep, |creep| made(creep).is_some()))?;
+        let paper_with = |creep: f64| air.separator(shape, creep);
+        let part =
+            paper_with(creep).ok_or_else(|| no_separator(key, creep, |creep| paper_with(creep).is_some()))?;
         let lines = |paths: &[Path], line: fn(&Path, f64, &str) -> Result<Path, Refusal>, what: &str| {
             paths.iter().map(|path| line(path, kerf, what)).collect::<Result<Vec<_>, _>>()
         };
@@ -49,12 +50,17 @@ impl PaperSeparator {
         Ok(Some(Self { part, tool, kerf, tongues }))
     }
 
-    /// Kind and number of the piece, as "S1", on each tongue that is wide enough, along the tongue and read from outside.
+    /// The piece's name on each tongue that is wide enough, along the tongue and read from outside.
     pub(super) fn labels(&self, piece: &PlacedPart) -> Vec<Path> {
-        let initial = piece.kind.chars().next().map_or(' ', |letter| letter.to_ascii_uppercase());
-        let text = format!("{initial}{}", piece.index);
+        let text = name(piece);
         self.tongues.iter().flat_map(|tongue| label(tongue, &text)).collect()
     }
+}
+
+/// Kind and number of a piece where room is short: "S1" for star 1.
+pub(crate) fn name(piece: &PlacedPart) -> String {
+    let initial = piece.kind.chars().next().map_or(' ', |letter| letter.to_ascii_uppercase());
+    format!("{initial}{}", piece.index)
 }
 
 /// The strokes of `text` on a tongue; none where it is too narrow.
@@ -89,15 +95,20 @@ pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Chann
 fn no_separator(key: KeyPath, creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
     let code = RefusalCode::NoWindow;
     if !is_made(0.0) {
-        let found = "the seams leave no paper in one piece for each chamber";
+        let problem = "the seams leave no paper in one piece for each chamber";
         let remedy =
             "draw seams in the air farther from each other, or without sharp bends; or delete [mask]";
-        return Refusal::new(key, code, found, remedy);
+        return Refusal::new(key, code, problem, remedy);
     }
     let fits = largest(creep, &is_made);
     // What is printed is itself tried: rounded down, a creep may be another that fails.
     let hundredths = successors(Some((fits * 100.0).floor()), |last| Some(last - 1.0));
-    let most = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
-    let found = format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep));
-    Refusal::new(key, code, found, format!("creep must be at most {} mm", Most(most.unwrap_or(0.0))))
+    let largest_creep = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
+    let problem = format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep));
+    Refusal::new(
+        key,
+        code,
+        problem,
+        format!("creep must be at most {} mm", Most(largest_creep.unwrap_or(0.0))),
+    )
 }

@@ -199,7 +199,7 @@ fn rounds() -> usize {
 #[test]
 fn one_fault_leaves_the_old_build_or_the_new_one() {
     // Publishing is tried with one event at its first operation, then at its second, until it ends before the event.
-    // After each, one whole version stands there, no foreign text is lost, and publishing works again.
+    // After each, one whole version is in the target, no foreign text is lost, and publishing works again.
     let mut rounds = 0;
     for system in SYSTEMS {
         for event in EVENTS {

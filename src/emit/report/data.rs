@@ -72,7 +72,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
     if design.drawn().is_some() {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
     }
-    // Only the page for a press has these: what an iron's page says of speeds and times is said of the press.
+    // Only the page for a press has these: temperature and pressure stand where an iron has temperature and speed.
     if let Some((press, plan)) = spec.press.as_ref().zip(PressPlan::new(spec, design)) {
         data["press"] = json!({ "words": plan.in_words(press) });
         data["seal"]["temperature"] = json!(press.temperature.to_string());

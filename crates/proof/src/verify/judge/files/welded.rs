@@ -35,11 +35,6 @@ pub(super) fn check(expected: &Expected<'_>, drawing: &Drawing, paper: usize, fi
     }
 }
 
-/// "of star 1 at 12 40 mm", to whole millimetres.
-fn place_in_words(piece: &impl std::fmt::Display, p: Point) -> String {
-    format!("of {piece} at {} {} mm", Readable(p.x.round()), Readable(p.y.round()))
-}
-
 /// Judges the paper of one piece; of each kind of fault the first is reported.
 fn judge_piece(
     expected: &Expected<'_>,
@@ -63,29 +58,26 @@ fn judge_piece(
         ports: flat.ports.iter().map(|port| Port { at: motion.point(port.at), ..*port }).collect(),
         ..flat.clone()
     };
-    if let Some(p) = paper_in_band(&shape, area) {
-        let allowed = format!("bands of {} mm without paper", shape.band);
-        findings.add(
-            FindingCode::NarrowBand,
-            format!("paper in a band {}", place_in_words(&placed.name(), p)),
-            allowed,
-        );
-    }
-    if let Some(p) = welded_air(&shape, area) {
-        let allowed = "paper along the band, on its side of the air";
-        findings.add(
+    let wide = format!("bands of {} mm without paper", shape.band);
+    for (code, place, paper, allowed) in [
+        (FindingCode::NarrowBand, paper_in_band(&shape, area), "paper in a band", wide.as_str()),
+        (
             FindingCode::WeldedAir,
-            format!("no paper beside a band {}", place_in_words(&placed.name(), p)),
-            allowed,
-        );
-    }
-    if let Some(p) = stray_paper(&shape, area) {
-        let allowed = "paper that leaves the piece through its ports only";
-        findings.add(
+            welded_air(&shape, area),
+            "no paper beside a band",
+            "paper along the band, on its side of the air",
+        ),
+        (
             FindingCode::StrayPaper,
-            format!("paper across the cut {}", place_in_words(&placed.name(), p)),
-            allowed,
-        );
+            stray_paper(&shape, area),
+            "paper across the cut",
+            "paper that leaves the piece through its ports only",
+        ),
+    ] {
+        if let Some(p) = place {
+            let [x, y] = [p.x, p.y].map(|mm| Readable(mm.round()));
+            findings.add(code, format!("{paper} of {} at {x} {y} mm", placed.name()), allowed);
+        }
     }
 }
 
