@@ -130,12 +130,12 @@ pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Fai
 
 /// The grid of settings to test.
 fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
-    let (seal, heights) = (&loaded.reading.spec.seal, &loaded.machine.process.heights);
+    let seal = &loaded.reading.spec.seal;
     let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
     let grid = StripGrid {
         temperatures: or(&args.temperatures, &[seal.temperature]),
         speeds: or(&args.speeds, &speeds),
-        heights: or(&args.heights, &[heights.contact]),
+        heights: or(&args.heights, &[seal.contact(&loaded.machine.process)]),
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
     // The spec's temperature, and five times its speed, may be out of range, too.

@@ -13,7 +13,7 @@ mod table;
 
 use crate::coupon::strips::program_name;
 use crate::emit;
-use design::{Drawing, Layer, Origin, Refusals, Shape, lettered};
+use design::{Drawing, Layer, Origin, Refusals, SealJob, Shape, lettered};
 use geom::{Bounds, Isometry, Path, Point};
 use program::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
 use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
@@ -102,7 +102,12 @@ impl Coupon {
 
     /// Seams of the coupon in the order of sealing.
     pub fn seams(&self) -> Vec<LaidSeam> {
-        seams_of(&self.pieces, self.machine.process.ramp.0)
+        laid_seams(&placed(&self.pieces), self.machine.process.ramp.0)
+    }
+
+    /// Contacts of the coupon in the order of sealing.
+    pub fn job(&self) -> SealJob {
+        SealJob::of_pieces(&self.spec, &placed(&self.pieces), self.machine.process.ramp.0)
     }
 
     /// Whether its pieces are strips, which have no port.
@@ -127,6 +132,8 @@ pub fn coupons(
         for (temperature, speed, height) in grid.settings() {
             let (mut spec, mut machine) = (spec.clone(), machine.clone());
             (spec.seal.temperature, spec.seal.speed) = (temperature, speed);
+            // The profile of the coupon states the height.
+            spec.seal.height = None;
             let strips = grid.strips(&machine);
             machine.process.heights.contact = height;
             let is_own =
@@ -192,24 +199,23 @@ fn named(kind: &str, number: usize) -> PieceName {
     PieceName::Named(format!("{kind}-{number}"))
 }
 
-/// The seams of `pieces` in the order of sealing, with ramps of `ramp` mm.
-fn seams_of(pieces: &[CouponPiece], ramp: f64) -> Vec<LaidSeam> {
-    let pieces: Vec<PlacedPiece<'_>> = pieces
-        .iter()
+/// `pieces` where they lie.
+fn placed(pieces: &[CouponPiece]) -> Vec<PlacedPiece<'_>> {
+    let pieces = pieces.iter();
+    pieces
         .map(|piece| PlacedPiece {
             name: piece.name.clone(),
             shape: &piece.shape,
             placement: Isometry::IDENTITY,
         })
-        .collect();
-    laid_seams(&pieces, ramp)
+        .collect()
 }
 
 /// The coupon `name` of `pieces`.
 fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) -> Result<Coupon, Refusals> {
-    let seams = seams_of(&pieces, machine.process.ramp.0);
+    let job = SealJob::of_pieces(spec, &placed(&pieces), machine.process.ramp.0);
     let scope = Scope { purpose: Purpose::Seal, sheet: 1, pieces: vec![PieceName::Named(name.to_owned())] };
-    let program = seal_program(spec, machine, scope, &seams);
+    let program = seal_program(spec, machine, scope, &job);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     let smaller = match name {
         _ if name.starts_with("strips") => {

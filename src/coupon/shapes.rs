@@ -142,7 +142,8 @@ fn lines(points: &[Point]) -> Vec<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use spec::units::{Angle, Speed, Temperature};
+    use spec::SealPause;
+    use spec::units::{Duration, Speed, Temperature};
 
     fn seal() -> Seal {
         Seal {
@@ -152,6 +153,12 @@ mod tests {
             overlap: Length(5.0),
             allowance: Length(8.0),
             hole_allowance: Length(1.0),
+            height: None,
+            passes: 1,
+            lines: None,
+            tip: None,
+            cool: Duration(0.0),
+            pause: SealPause::Never,
         }
     }
 
@@ -190,17 +197,7 @@ mod tests {
     #[test]
     fn a_v_is_one_unbroken_line_as_wide_as_its_tube() {
         for radius in [0.0, 0.5, 3.0] {
-            let star = StarSpec {
-                points: 5,
-                inner_radius: Length(50.0),
-                tube_width: Length(30.0),
-                tip_angle: Angle(30.0),
-                tip_radius: Length(radius),
-                corner_radius: Length(0.0),
-                rotation: Angle(0.0),
-                pitch: Length(40.0),
-                inlet_tip: 1,
-            };
+            let star = StarSpec { tip_radius: Length(radius), ..StarSpec::paper(5) };
             let pouch = vee(&star, &of(8.0), &seal()).expect("a V");
             let (seam, cut) = parts(&pouch);
             assert_eq!(pouch.topology().leaks, []);

@@ -10,7 +10,7 @@ use crate::manifest::bill::thousandths;
 use design::{Design, FlatPiece, StarAssembly};
 use forecast::prediction::Prediction;
 use program::plan::{Program, SeamReport};
-use sealed::PieceName;
+use sealed::{PieceName, SeamName};
 use spec::{MaskKind, Spec};
 
 pub use proof::manifest::{
@@ -70,13 +70,16 @@ fn stars(spec: &Spec, assembly: &StarAssembly, programs: &[Program]) -> Vec<Mani
 
 /// The star `index` of `assembly`, which `program` seals; `None` for a number without a star.
 fn star(spec: &Spec, assembly: &StarAssembly, program: &Program, index: usize) -> Option<ManifestStar> {
-    let reports = program.seams.iter().filter(|seam| seam.name.piece.number() == Some(index));
-    let seams: Vec<ManifestSeam> = reports
+    let of_star = seam_totals(program).into_iter().filter(|seam| seam.name.piece.number() == Some(index));
+    let seams: Vec<ManifestSeam> = of_star
         .map(|seam| ManifestSeam {
             loop_name: seam.name.seam.clone(),
             length_mm: thousandths(seam.length),
             overlap_mm: thousandths(seam.overlap),
             time_s: thousandths(seam.time),
+            process: seam.process,
+            passes: seam.passes,
+            lines: seam.lines,
         })
         .collect();
     let part = assembly.part(assembly.stars.iter().find(|star| star.index == index)?);
@@ -92,9 +95,44 @@ fn star(spec: &Spec, assembly: &StarAssembly, program: &Program, index: usize) -
     })
 }
 
-/// The seam of `report`, called `name`.
-fn sealed_seam(name: String, report: &SeamReport) -> SealedSeam {
-    SealedSeam { name, length_mm: thousandths(report.length), time_s: thousandths(report.time) }
+/// All contacts of one seam together.
+struct SeamTotal<'a> {
+    name: &'a SeamName,
+    /// Path in contact, mm, and the part of it that is covered twice by one pass.
+    length: f64,
+    overlap: f64,
+    /// Time in contact, ramps included, s.
+    time: f64,
+    /// Name of its process, unless it is that of `[seal]`.
+    process: Option<String>,
+    /// Numbers of passes and lines, if there are several.
+    passes: Option<u32>,
+    lines: Option<u32>,
+}
+
+/// The seams of `program` in the order of their first contacts.
+fn seam_totals(program: &Program) -> Vec<SeamTotal<'_>> {
+    let mut totals: Vec<SeamTotal<'_>> = Vec::new();
+    for seam in &program.seams {
+        let SeamReport { name, length, overlap, time, line, pass, .. } = seam;
+        if let Some(total) = totals.last_mut().filter(|total| total.name == name) {
+            (total.length, total.time) = (total.length + length, total.time + time);
+            total.passes = total.passes.max(Some(*pass).filter(|pass| *pass > 1));
+            total.lines = total.lines.max(Some(*line).filter(|line| *line > 1));
+            continue;
+        }
+        let process = &program.processes[seam.process].process;
+        let process = (!process.is_default()).then(|| process.name.clone());
+        let (length, overlap, time) = (*length, *overlap, *time);
+        totals.push(SeamTotal { name, length, overlap, time, process, passes: None, lines: None });
+    }
+    totals
+}
+
+/// `seam` as the manifest has it, called `name`.
+fn sealed_seam(name: String, seam: SeamTotal<'_>) -> SealedSeam {
+    let SeamTotal { length, time, process, passes, lines, .. } = seam;
+    SealedSeam { name, length_mm: thousandths(length), time_s: thousandths(time), process, passes, lines }
 }
 
 /// The piece of the coupon `name`, sealed by `program`.
@@ -103,7 +141,10 @@ pub fn coupon_piece(name: &str, program: &Program) -> SealedPiece {
         name: name.to_owned(),
         kind: "coupon".to_owned(),
         time_s: Some(thousandths(program.time)),
-        seams: program.seams.iter().map(|seam| sealed_seam(seam.name.piece.word(), seam)).collect(),
+        seams: seam_totals(program)
+            .into_iter()
+            .map(|seam| sealed_seam(seam.name.piece.word(), seam))
+            .collect(),
     }
 }
 
@@ -114,7 +155,7 @@ fn pieces(program: &Program) -> Vec<SealedPiece> {
 
 /// `piece` with its seams, sealed by `program`.
 fn sealed_piece(program: &Program, piece: &PieceName) -> SealedPiece {
-    let reports = program.seams.iter().filter(|seam| seam.name.piece == *piece);
-    let seams = reports.map(|seam| sealed_seam(seam.name.seam.clone(), seam)).collect();
+    let of_piece = seam_totals(program).into_iter().filter(|seam| seam.name.piece == *piece);
+    let seams = of_piece.map(|seam| sealed_seam(seam.name.seam.clone(), seam)).collect();
     SealedPiece { name: piece.word(), kind: piece.kind().to_owned(), time_s: None, seams }
 }

@@ -230,6 +230,7 @@ fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
         hot: true,
         scope: format!("piece={name}"),
         seams: coupon.seams(),
+        job: coupon.job(),
         frame: Path::default(),
         area: coupon.area(),
     }

@@ -34,7 +34,7 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     let programs = plan::seal_programs(&spec, &machine, &design);
     let traces = plan::trace_programs(&spec, &machine, &design);
     let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
-    refusals.extend(plan::pressed_beyond(&machine, &design));
+    refusals.extend(plan::pressed_beyond(&spec, &machine, &design));
     refusals.or(Planned { spec, machine, design, programs, traces })
 }
 

@@ -7,7 +7,7 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::Pace;
+use program::plan::{Pace, Program};
 use spec::units::{Readable, Speed};
 use spec::{Machine, SealingTool};
 
@@ -127,7 +127,7 @@ fn generic(forecast: &Forecast, path: &str) -> Precaution {
 }
 
 fn pace(forecast: &Forecast) -> Option<Pace> {
-    forecast.programs.first().map(|program| program.pace)
+    forecast.programs.first().map(Program::pace)
 }
 
 /// Weak places of the seal; for an unfit gripper without seals that certainly burst, which its refusal reports.

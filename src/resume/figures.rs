@@ -75,6 +75,7 @@ impl Figures {
                 }
                 lines
             }
+            Some("sealing") if comment.number("seam").is_some_and(|seam| seam < self.seam) => Vec::new(),
             Some("length" | "seam") => match comment.number("seam") {
                 Some(seam) if seam < self.seam => Vec::new(),
                 Some(seam) if seam == self.seam => vec![record.comment(&restated(&comment, self.first))],

@@ -1,6 +1,6 @@
 //! The judge: compares the moves of programs with the comments of the old one, by the verifier's own rules, and with the profile's limits.
 
-use crate::resume::record::Record;
+use crate::resume::record::{Record, StatedProcess};
 use geom::Bounds;
 use program::plan::Pace;
 use proof::verify::{Finding, FindingCode, judge_iron};
@@ -13,7 +13,7 @@ pub(super) fn first_fault(record: &Record, text: &str, reach: &Bounds) -> Option
     let reach = &reach.grown(record.path.0);
     let hotend = record.controller.heating == Heating::Hotend;
     let lines = text.split_inclusive('\n');
-    judge_iron(&record.rules(), reach, hotend, lines, record.dialect()).into_iter().next()
+    judge_iron(&record.rules(text), reach, hotend, lines, record.dialect()).into_iter().next()
 }
 
 /// Tolerance of rounded numbers in a file, as a fraction.
@@ -33,11 +33,13 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
 
 /// The required value instead of `set`, if `set` contradicts the program.
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
-    let (contact, acceleration) = match record.pace {
-        Pace::Steady => (record.seal.speed.0, None),
-        Pace::Chopped(chop) => (chop.speed, Some(chop.acceleration)),
-    };
-    let fastest = contact.max(record.process.travel_speed.0);
+    let feeds = || record.all_processes().map(StatedProcess::feed);
+    let contact = feeds().fold(f64::INFINITY, f64::min);
+    let acceleration = record.all_processes().find_map(|stated| match stated.pace {
+        Pace::Steady => None,
+        Pace::Chopped(chop) => Some(chop.acceleration),
+    });
+    let fastest = feeds().fold(record.process.travel_speed.0, f64::max);
     let longest = seconds.min(DAY);
     match (set, acceleration) {
         (Limits { lowest_speed: Some(lowest), .. }, _) if lowest.0 > contact * (1.0 + SLACK) => {

@@ -17,7 +17,7 @@ mod window;
 
 use crate::emit;
 use crate::resume::figures::Figures;
-use crate::resume::record::Record;
+use crate::resume::record::{Record, StatedProcess};
 use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
@@ -118,27 +118,29 @@ fn approach(
 ) -> Result<(f64, usize), ResumeFault> {
     let record = toolpath.record;
     let Process { heights, ramp, .. } = &record.process;
+    let title = window.title.as_deref().and_then(|title| figures::comment(record, title));
+    let stated = record.process_of(title.as_ref());
     // The seam's own ramp lies before its run, so there is always space for a ramp.
     let (from, (rest, last)) = if record.joins_moves() {
         let (from, last) = window.stop_before(from).ok_or(ResumeFault::NothingLeft)?;
         // The last strokes down may have no dwell of their own: then the next ones are joined to them, and need another dwell.
         (from, window.run_from(from).unwrap_or((Vec::new(), last)))
     } else {
-        (from, window.rest_from(from, least_rest(record)).ok_or(ResumeFault::NothingLeft)?)
+        (from, window.rest_from(from, least_rest(stated)).ok_or(ResumeFault::NothingLeft)?)
     };
     let pieces = window.way_down(from, ramp.0);
     let start = pieces.first().ok_or(ResumeFault::NothingLeft)?.start();
     let steps = vec![
         Step::Travel(start),
         Step::Height(Height::Travel),
-        Step::TouchDown(Ramp { pieces, from: heights.travel.0, to: heights.contact.0 }),
+        Step::TouchDown(Ramp { pieces, from: heights.travel.0, to: stated.contact(&record.process).0 }),
         Step::Seal(rest),
     ];
     if let Some(title) = &window.title {
         out.push_str(title);
         out.push('\n');
     }
-    out.push_str(&emit::steps_text(record.facts(), &steps, record.pace, start));
+    out.push_str(&emit::steps_text(record.facts(stated), &steps, stated.pace, start));
     // The dwells of the old move belong to it, and have been written again with its rest.
     Ok((from, toolpath.after(last)))
 }
@@ -147,14 +149,14 @@ fn approach(
 ///
 /// A shorter path leaves no time for a dwell. The controller would run on into the first old stroke, whose timing assumes a stop: the iron
 /// would be early by the time of a stop (65 ms on GRBL).
-fn least_rest(record: &Record) -> f64 {
-    match record.pace {
-        Pace::Chopped(chop) => 2.0 * chop.least_stroke(record.seal.speed.0),
+fn least_rest(stated: &StatedProcess) -> f64 {
+    match stated.pace {
+        Pace::Chopped(chop) => 2.0 * chop.least_stroke(stated.seal.speed.0),
         Pace::Steady => 0.0,
     }
 }
 
-/// The new file: the lines before the heating with a note, the path back, the rest from the line of index `from`, its first move with its
+/// The new file: the lines before the first heating with a note, the heating in force, the path back, the rest from the line of index `from`, its first move with its
 /// feed, and a last line with counts. With `figures` it states its own length and time.
 fn assembled(
     toolpath: &Toolpath<'_>,
@@ -175,7 +177,11 @@ fn assembled(
         Some(figures) => figures.line(record, line).iter().for_each(|line| add(line)),
         None => add(line),
     };
-    for (line, i) in text.lines().take(toolpath.hot).zip(0..) {
+    // The head up to the first heating, and the heating that is in force where the job goes on.
+    let heating = toolpath.heating_before(from);
+    let head = text.lines().take(toolpath.cold);
+    let heating = text.lines().take(heating.end).skip(heating.start);
+    for (line, i) in head.chain(heating).zip(0..) {
         // The place after the title and the name.
         if i == 2.min(toolpath.hot - 1) {
             restate(note);

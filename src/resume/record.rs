@@ -3,12 +3,13 @@
 use crate::emit::Facts;
 use crate::resume::ResumeFault;
 use program::plan::{Chop, Pace, Precision, stepper};
-use proof::verify::IronRules;
 use proof::verify::gcode;
 use proof::verify::gcode::Comment;
+use proof::verify::{ContactRule, IronRules};
 use spec::units::{Acceleration, Duration, Length, Speed, Temperature};
 use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
-use spec::{Motion, Process, Seal, StepRate, TOXIC};
+use spec::{Motion, Process, Seal, SealPause, StepRate, TOXIC};
+use std::collections::HashMap;
 
 /// The statements of a file's header.
 #[derive(Clone, Debug)]
@@ -17,11 +18,40 @@ pub(super) struct Record {
     pub(super) process: Process,
     pub(super) seal: Seal,
     pub(super) path: Length,
-    pub(super) pace: Pace,
+    /// The process of every seam that names no other, and the processes by name.
+    default: StatedProcess,
+    processes: Vec<StatedProcess>,
+    /// The place of its process for the number of a contact.
+    sealing: HashMap<u64, usize>,
     /// The motor values on which the timing of its strokes depends.
     motion: Motion,
     /// Whether the file has all values that its strokes' timing depends on; older files do not.
     is_timed: bool,
+}
+
+/// A process as a file states it.
+#[derive(Clone, Debug)]
+pub(super) struct StatedProcess {
+    name: String,
+    /// Temperature, speed and height in contact.
+    pub(super) seal: Seal,
+    /// The way in which its speed is reached.
+    pub(super) pace: Pace,
+}
+
+impl StatedProcess {
+    /// Height in contact, mm.
+    pub(super) fn contact(&self, process: &Process) -> Length {
+        self.seal.contact(process)
+    }
+
+    /// The speed of a move in contact, mm/s.
+    pub(super) fn feed(&self) -> f64 {
+        match self.pace {
+            Pace::Steady => self.seal.speed.0,
+            Pace::Chopped(chop) => chop.speed,
+        }
+    }
 }
 
 /// Largest number of lines searched for the header.
@@ -49,9 +79,15 @@ impl Record {
         if seal.temperature >= TOXIC {
             return Err(ResumeFault::TooHot(seal.temperature));
         }
+        let default = StatedProcess { name: String::new(), seal: seal.clone(), pace };
+        let processes = header.processes(&default)?;
+        let sealing = header.sealing(&processes)?;
+        if let Some(hot) = processes.iter().find(|process| process.seal.temperature >= TOXIC) {
+            return Err(ResumeFault::TooHot(hot.seal.temperature));
+        }
         let is_timed = header.find("chop").is_err() || header.find("chop-start").is_ok();
         let controller = header.controller(comments, pace)?;
-        Ok(Self { controller, process, seal, path, pace, motion, is_timed })
+        Ok(Self { controller, process, seal, path, default, processes, sealing, motion, is_timed })
     }
 
     /// The dialect of the file.
@@ -59,21 +95,57 @@ impl Record {
         gcode::Dialect::for_controller(&self.controller)
     }
 
-    /// The rules that the file states, with its motor values.
-    pub(super) fn rules(&self) -> IronRules<'_> {
-        let Self { seal, process, controller, pace, motion, .. } = self;
-        let chops = matches!(pace, Pace::Chopped(_));
-        IronRules { seal, process, motion, dwell_step: controller.dwell.step.0, chops, timed: self.is_timed }
+    /// The processes of its contacts.
+    pub(super) fn all_processes(&self) -> impl Iterator<Item = &StatedProcess> {
+        let default = self.processes.is_empty().then_some(&self.default);
+        self.processes.iter().chain(default)
+    }
+
+    /// The process of the contact that the comment `title` announces, or of one without a title.
+    pub(super) fn process_of(&self, title: Option<&Comment>) -> &StatedProcess {
+        let number = title.and_then(|title| title.number("seam"));
+        let place = number.and_then(|number| self.sealing.get(&number.to_bits()));
+        place.and_then(|place| self.processes.get(*place)).unwrap_or(&self.default)
+    }
+
+    /// The rules that the file states, with its motor values, for the contacts of the program `text`.
+    pub(super) fn rules(&self, text: &str) -> IronRules<'_> {
+        let Self { process, controller, motion, .. } = self;
+        let rule = |stated: &StatedProcess| ContactRule {
+            seal: stated.seal.clone(),
+            height: stated.contact(process).0,
+            cool: stated.seal.cool.0,
+        };
+        let titles = text.lines().filter_map(|line| {
+            let rest = line.strip_prefix([';', '('])?.trim_start();
+            rest.starts_with("seam:")
+                .then(|| Comment { line: 0, text: rest.trim_end_matches(')').to_owned() })
+        });
+        let contacts = if self.processes.is_empty() {
+            Vec::new()
+        } else {
+            titles.map(|title| rule(self.process_of(Some(&title)))).collect()
+        };
+        IronRules {
+            process,
+            motion,
+            dwell_step: controller.dwell.step.0,
+            chops: self.all_processes().any(|stated| matches!(stated.pace, Pace::Chopped(_))),
+            timed: self.is_timed,
+            contacts,
+            default: rule(&self.default),
+        }
     }
 
     /// Whether the controller joins short moves to the next one, so that a seam can continue only at a stop.
     pub(super) fn joins_moves(&self) -> bool {
-        matches!(self.pace, Pace::Chopped(chop) if chop.least > 0.0)
+        self.all_processes().any(|stated| matches!(stated.pace, Pace::Chopped(chop) if chop.least > 0.0))
     }
 
-    /// The values for writing further steps.
-    pub(super) fn facts(&self) -> Facts<'_> {
-        let Self { controller, process, seal, path, .. } = self;
+    /// The values for writing further steps of `stated`.
+    pub(super) fn facts<'r>(&'r self, stated: &'r StatedProcess) -> Facts<'r> {
+        let Self { controller, process, path, .. } = self;
+        let seal = &stated.seal;
         Facts { name: "", seal, path: *path, controller, process }
     }
 
@@ -190,7 +262,59 @@ impl Header {
             overlap: self.length("seal", "overlap_mm")?,
             allowance: Length(0.0),
             hole_allowance: Length(0.0),
+            height: None,
+            passes: 1,
+            lines: None,
+            tip: None,
+            cool: Duration(0.0),
+            pause: SealPause::Never,
         })
+    }
+
+    /// The processes that the header lists, each with the facts of its own; others are those of `default`.
+    fn processes(&self, default: &StatedProcess) -> Result<Vec<StatedProcess>, ResumeFault> {
+        let mut names: Vec<&str> =
+            self.all("process").filter_map(|comment| comment.word("process")).collect();
+        names.dedup();
+        names.into_iter().map(|name| self.stated_process(name, default)).collect()
+    }
+
+    fn stated_process(&self, name: &str, default: &StatedProcess) -> Result<StatedProcess, ResumeFault> {
+        let of_process = || self.all("process").filter(|comment| comment.word("process") == Some(name));
+        let number = |word: &str| of_process().find_map(|comment| comment.number(word));
+        let stated = |word: &str| number(word).ok_or(ResumeFault::NotOurs("process"));
+        let seal = Seal {
+            temperature: Temperature(stated("temperature_C")?),
+            speed: Speed(stated("speed_mm_s")?),
+            height: Some(Length(stated("contact_mm")?)),
+            cool: Duration(stated("cool_s")?),
+            ..default.seal.clone()
+        };
+        if !(1e-4..=1e7).contains(&seal.speed.0) {
+            return Err(ResumeFault::NotOurs("process"));
+        }
+        let pace = match (default.pace, number("feed_mm_min"), number("longest_mm")) {
+            (Pace::Chopped(chop), Some(feed), Some(longest)) => {
+                let usable = 1e-4..=1e7;
+                if !usable.contains(&feed) || !usable.contains(&longest) {
+                    return Err(ResumeFault::NotOurs("process"));
+                }
+                let rest = (seal.band.0 / 10.0).max(2.0 * chop.least) / seal.speed.0;
+                Pace::Chopped(Chop { speed: feed / 60.0, longest, rest, ..chop })
+            }
+            _ => Pace::Steady,
+        };
+        Ok(StatedProcess { name: name.to_owned(), seal, pace })
+    }
+
+    /// The place of its process in `processes` for the number of each contact.
+    fn sealing(&self, processes: &[StatedProcess]) -> Result<HashMap<u64, usize>, ResumeFault> {
+        let place = |comment: &Comment| {
+            let name = comment.word("process")?;
+            let place = processes.iter().position(|stated| stated.name == name)?;
+            Some((comment.number("seam")?.to_bits(), place))
+        };
+        self.all("sealing").map(|comment| place(comment).ok_or(ResumeFault::NotOurs("sealing"))).collect()
     }
 
     fn motion(&self) -> Result<Motion, ResumeFault> {

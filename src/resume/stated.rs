@@ -86,8 +86,11 @@ impl<'a> StatedFigures<'a> {
             travels: [0.0; 2],
             ahead: 0.0,
         };
-        let acceleration =
-            if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { LEAST_ACCELERATION };
+        let chopped = record.all_processes().find_map(|stated| match stated.pace {
+            Pace::Steady => None,
+            Pace::Chopped(chop) => Some(chop.acceleration),
+        });
+        let acceleration = chopped.unwrap_or(LEAST_ACCELERATION);
         // From rest to rest a way takes at most so much longer than at full speed.
         let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut before = None;
@@ -163,7 +166,10 @@ impl<'a> StatedFigures<'a> {
         };
         let heights = &self.toolpath.record.process.heights;
         // The job may have stopped on the way up, after the seam.
-        let rise = libm::hypot(self.toolpath.record.process.ramp.0, heights.travel.0 - heights.contact.0);
+        let record = self.toolpath.record;
+        let contacts = record.all_processes().map(|stated| stated.contact(&record.process).0);
+        let contact_height = contacts.fold(heights.contact.0, f64::min);
+        let rise = libm::hypot(record.process.ramp.0, heights.travel.0 - contact_height);
         let contact = self.ahead + overlap / self.speed();
         let first = if overlap > 0.0 { contact } else { 0.0 };
         let [low, high] = [first - SCHEDULE, contact + rise / self.speed() + SCHEDULE]
@@ -173,9 +179,10 @@ impl<'a> StatedFigures<'a> {
             .then(|| format!("a time with which {percent} % of the job are over where this program begins"))
     }
 
-    /// The seal's speed, mm/s.
+    /// The speed of the slowest seams, mm/s.
     fn speed(&self) -> f64 {
-        self.toolpath.record.seal.speed.0
+        let speeds = self.toolpath.record.all_processes().map(|stated| stated.seal.speed.0);
+        speeds.fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -3,11 +3,12 @@
 //! It is read again for every use, and never stored: a chopped job has a million moves.
 
 use crate::resume::ResumeFault;
-use crate::resume::record::Record;
+use crate::resume::record::{Record, StatedProcess};
 use geom::Bounds;
 use program::plan::TravelLimits;
 use proof::verify::Phase;
 use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
+use std::ops::Range;
 
 /// One move.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +41,11 @@ pub(super) struct Toolpath<'a> {
     pub(super) record: &'a Record,
     /// Number of lines in the file.
     pub(super) lines: usize,
-    /// Number of lines up to and including the heating.
+    /// Number of lines before the first heating, and up to and including it.
+    pub(super) cold: usize,
     pub(super) hot: usize,
+    /// The heatings: from the line of the comment to the line after which the iron is hot, counted from 0.
+    heatings: Vec<Range<usize>>,
     /// Time for all of its moves, s, without the first travel.
     pub(super) seconds: f64,
     /// Time in contact and on ramps, s.
@@ -66,7 +70,8 @@ fn from_corner(travel: &BlindMove) -> Option<[f64; 3]> {
 impl<'a> Toolpath<'a> {
     /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
-        let (mut lines, mut hot, mut heat, mut stated, mut job, mut fault) = (0, 0, false, None, None, None);
+        let (mut lines, mut stated, mut job, mut fault) = (0, None, None, None);
+        let (mut heatings, mut heat) = (Vec::new(), None);
         let mut approach = None;
         each_line(text.split_inclusive('\n'), record.dialect(), |line| {
             lines = line.number;
@@ -78,9 +83,9 @@ impl<'a> Toolpath<'a> {
                     Event::Comment(comment) => {
                         is_comment = true;
                         match comment.key() {
-                            Some("heat") => heat = true,
-                            Some("total") if hot == 0 => stated = comment.number("time_s"),
-                            Some("job") if hot == 0 => job = comment.number("time_s"),
+                            Some("heat") => heat = Some(line.number - 1),
+                            Some("total") if heatings.is_empty() => stated = comment.number("time_s"),
+                            Some("job") if heatings.is_empty() => job = comment.number("time_s"),
                             _ => {}
                         }
                     }
@@ -88,22 +93,24 @@ impl<'a> Toolpath<'a> {
                 }
             }
             // The last line of all has no text.
-            if heat && !is_comment && hot == 0 && !line.text.is_empty() {
-                hot = line.number;
+            if !is_comment && !line.text.is_empty() {
+                heatings.extend(heat.take().map(|start| start..line.number));
             }
         });
         if let Some(finding) = fault {
             return Err(ResumeFault::Damaged(finding));
         }
-        if hot == 0 {
+        let Some(Range { start: cold, end: hot }) = heatings.first().cloned() else {
             return Err(ResumeFault::NotOurs("heat"));
-        }
+        };
         let (travels, reach) = (vec![Vec::from_iter(approach)], Bounds::EMPTY);
         let toolpath = Self {
             text,
             record,
             lines,
+            cold,
             hot,
+            heatings,
             seconds: 0.0,
             sealing: 0.0,
             travels: Vec::new(),
@@ -137,6 +144,12 @@ impl<'a> Toolpath<'a> {
         Self { seconds, sealing, travels, reach, ..self }
     }
 
+    /// The lines of the heating that is in force in the line of index `line`.
+    pub(super) fn heating_before(&self, line: usize) -> Range<usize> {
+        let before = self.heatings.iter().rfind(|heating| heating.end <= line);
+        before.or(self.heatings.first()).cloned().unwrap_or_default()
+    }
+
     /// Time of its travels, s, where the controller accelerates them by `acceleration`, mm/s^2; `None`: at speed at once.
     pub(super) fn travelling(&self, acceleration: Option<f64>) -> f64 {
         let speed = self.record.process.travel_speed.0;
@@ -165,6 +178,7 @@ impl<'a> Toolpath<'a> {
     pub(super) fn moves(&self) -> impl Iterator<Item = TimedMove> {
         let mut interpreter = Interpreter::new(self.record.dialect());
         let (mut events, mut title, mut last) = (Vec::new(), None, None::<TimedMove>);
+        let mut stated = self.record.process_of(None);
         let mut lines = self.text.split_inclusive('\n').enumerate();
         std::iter::from_fn(move || {
             for (i, line) in lines.by_ref() {
@@ -172,9 +186,15 @@ impl<'a> Toolpath<'a> {
                 let mut done = None;
                 for event in events.drain(..) {
                     match event {
-                        Event::Comment(comment) if comment.key() == Some("seam") => title = Some(i),
+                        Event::Comment(comment) if comment.key() == Some("seam") => {
+                            title = Some(i);
+                            stated = self.record.process_of(Some(&comment));
+                        }
                         // A line has one move at the most, which is passed on after its dwells.
-                        Event::Move(step) => done = last.replace(self.timed(step, last.as_ref(), title)),
+                        Event::Move(step) => {
+                            let timed = self.timed(step, last.as_ref(), stated);
+                            done = last.replace(TimedMove { title, ..timed });
+                        }
                         Event::Dwell(dwell) => {
                             if let Some(last) = &mut last {
                                 last.rests |= dwell.seconds > 0.0;
@@ -191,19 +211,21 @@ impl<'a> Toolpath<'a> {
         })
     }
 
-    fn timed(&self, step: Move, before: Option<&TimedMove>, title: Option<usize>) -> TimedMove {
-        let (record, phase) = (self.record, Phase::new(&step, &self.record.process.heights));
+    fn timed(&self, step: Move, before: Option<&TimedMove>, stated: &StatedProcess) -> TimedMove {
+        let record = self.record;
+        let (travel, contact) = (record.process.heights.travel.0, stated.contact(&record.process).0);
+        let phase = Phase::new(&step, travel, contact);
         let along = before
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
         let seconds = match step.feed {
-            _ if phase != Phase::Clear => step.length() / record.seal.speed.0,
+            _ if phase != Phase::Clear => step.length() / stated.seal.speed.0,
             Some(feed) => step.length() / feed * 60.0,
             None => step.length() / record.process.travel_speed.0,
         };
         let along = if phase == Phase::Clear { 0.0 } else { along };
-        TimedMove { step, phase, along, begins, seconds, rests: false, title }
+        TimedMove { step, phase, along, begins, seconds, rests: false, title: None }
     }
 
     /// The line of this index.

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, moves};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, PacedProcess, Program, Purpose, SeamReport, Step, moves};
 use stargrip_cam::sealed::{PieceName, SeamName};
 use stargrip_cam::spec::Colours;
 use stargrip_cam::units::Length;
@@ -125,6 +125,9 @@ fn read_back(path: &Path) -> Vec<Segment> {
         length: path.length(),
         overlap: 0.0,
         time: 0.0,
+        process: 0,
+        line: 1,
+        pass: 1,
     };
     let program = Program {
         purpose: Purpose::Seal,
@@ -137,9 +140,12 @@ fn read_back(path: &Path) -> Vec<Segment> {
             Step::Seal(moves(path, LONGEST_MOVE)),
         ],
         seams: vec![seam],
-        pace: stargrip_cam::plan::Pace::Steady,
+        processes: vec![PacedProcess {
+            process: spec.default_process(),
+            pace: stargrip_cam::plan::Pace::Steady,
+            overdue: 0.0,
+        }],
         time: 0.0,
-        overdue: 0.0,
     };
     let text = emit::gcode(&spec, &machine, &program);
     let program = read_program(&text, Dialect::new(spec::Dialect::LinuxCnc));

@@ -14,6 +14,7 @@ mod marks;
 mod measure;
 mod own_seal;
 mod pieces;
+mod process;
 mod proposal;
 mod roles;
 mod words;
@@ -29,12 +30,13 @@ pub use pieces::DrawnPieces;
 use crate::drawn::clearance::Clearance;
 use crate::drawn::inner::within_air;
 use crate::drawn::layer_name::layer_names;
+use crate::drawn::process::SeamProcesses;
 use crate::drawn::proposal::LeftOut;
 use crate::star_seam::MOUTH_OVERRUN;
-use crate::{Circle, PaperSeparator, Refusal, RefusalCode, Refusals, Warning};
+use crate::{Circle, PaperSeparator, Refusal, RefusalCode, Refusals, SeamLines, Warning};
 use artwork::{Artwork, Fault, Figure, Format, Options, Place, Unit};
 use geom::{Bounds, Path};
-use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
+use sealed::{Rules, SealedShape, Sealing, Seam, ShapeCode, Sketch, sealed_shape};
 use spec::units::Readable;
 use spec::{DrawingSpec, LayerRole, Spec, key};
 
@@ -51,6 +53,8 @@ const USUAL_SIZES: std::ops::RangeInclusive<f64> = 10.0..=3000.0;
 pub struct DrawnPiece {
     /// Seams, cut and ports.
     pub shape: SealedShape,
+    /// The sealing of its seams, in their order.
+    pub seam_lines: Vec<SeamLines>,
     /// The edges of the air as drawn, with the channels of ports as far as the cut, for pictures.
     pub edges: Vec<Path>,
     /// The boundary of the air, closed, without the channels of ports: the region that inflates.
@@ -79,7 +83,7 @@ impl DrawnPiece {
         inner::share_a_band(&self.air, self.shape.band)
     }
 
-    /// The piece that `sketch` of `spec` shows, the warnings about it, and the repairs.
+    /// The piece that `sketch` of `spec` shows, with the `processes` of its seams, the warnings about it, and the repairs.
     ///
     /// # Errors
     /// Every reason for which it cannot be made.
@@ -87,10 +91,11 @@ impl DrawnPiece {
         spec: &Spec,
         drawing: &DrawingSpec,
         sketch: &Sketch,
+        processes: &mut SeamProcesses<'_>,
     ) -> Result<(Self, Vec<Warning>, Vec<String>), Refusals> {
         let sealing_rules = rules(spec, drawing);
         let sealing = sealed_shape(sketch, &sealing_rules);
-        let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
+        let Sealing { mut shape, air, inner, holes, repairs, warnings: warned } =
             sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
         let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
         let repairs = repairs.iter().map(|repair| faults::found_at(&repair.what, repair.place)).collect();
@@ -107,10 +112,12 @@ impl DrawnPiece {
         let tool = part.for_tool(spec.cut.kerf.0, &registration)?;
         let labels = label::labels(&shape, &room, &registration, allowance);
         let separator = PaperSeparator::new(spec, &shape, &air)?;
+        let seam_lines = sealed_seams(spec, &mut shape.seams, processes)?;
         let edges = air.edges_to_mouths(shape.band);
         let air = air.closed().to_vec();
         let piece = Self {
             shape,
+            seam_lines,
             edges,
             air,
             inner,
@@ -129,6 +136,25 @@ impl DrawnPiece {
     pub fn label_width(&self) -> f64 {
         self.passage.unwrap_or(LABEL_WIDTH)
     }
+}
+
+/// The sealing of `seams` by their `processes`, and their overlaps, which a process may change.
+fn sealed_seams(
+    spec: &Spec,
+    seams: &mut [Seam],
+    processes: &mut SeamProcesses<'_>,
+) -> Result<Vec<SeamLines>, Refusals> {
+    let mut refusals = Refusals::new();
+    let mut sealed = Vec::new();
+    for seam in seams {
+        let Some(name) = refusals.keep(processes.of_seam(seam)) else { continue };
+        let process = spec.process(&name);
+        if seam.center_line.closed && !process.is_default() {
+            seam.overlap = process.seal.overlap.0.min(0.5 * seam.center_line.length());
+        }
+        sealed.extend(refusals.keep(SeamLines::new(seam, &process)));
+    }
+    refusals.or(sealed)
 }
 
 /// The rules by which a sketch becomes a shape.

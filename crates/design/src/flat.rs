@@ -1,9 +1,9 @@
 //! The flat piece of every product: seams, tube, cut and fabric.
 
-use crate::{Circle, CutEdge, DrawnCut, DrawnPiece, PaperSeparator, SHEETS, StarDesign};
+use crate::{Circle, CutEdge, DrawnCut, DrawnPiece, PaperSeparator, SHEETS, SeamLines, StarDesign};
 use geom::{Path, Point};
 use sealed::SealedShape;
-use spec::Fabric;
+use spec::{Fabric, Spec};
 
 /// One piece in its own frame, whatever it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +36,23 @@ impl<'a> FlatPiece<'a> {
             Self::Star(star) => &star.shape,
             Self::Drawn(piece) => &piece.shape,
         }
+    }
+
+    /// The sealing of its seams, in their order.
+    pub fn seam_lines(self) -> &'a [SeamLines] {
+        match self {
+            Self::Star(star) => &star.seam_lines,
+            Self::Drawn(piece) => &piece.seam_lines,
+        }
+    }
+
+    /// The way of the iron in contact with the piece, every line and pass with its overlap, mm.
+    pub fn way_in_contact(self, spec: &Spec) -> f64 {
+        let of_seam = |seam: &SeamLines| -> f64 {
+            let length: f64 = seam.lines.iter().map(|line| line.run().length()).sum();
+            f64::from(spec.process(&seam.process).seal.passes) * length
+        };
+        self.seam_lines().iter().map(of_seam).sum()
     }
 
     /// The edges of the air as the iron makes them, those inside others first.

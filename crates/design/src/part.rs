@@ -4,7 +4,7 @@ use crate::placement::footprint;
 use crate::separator::air_of_star;
 use crate::star_seam::star_seam;
 use crate::{
-    Channel, CutLines, MaskPlate, MaskTiles, Outline, PaperSeparator, Refusal, Refusals, Side, Star,
+    Channel, CutLines, MaskPlate, MaskTiles, Outline, PaperSeparator, Refusal, Refusals, SeamLines, Side, Star,
 };
 use geom::{Bounds, Path};
 use sealed::{Port, SealedShape};
@@ -24,6 +24,8 @@ pub struct StarDesign {
     pub realised_edges: [Path; 2],
     /// The sealed shape: the inner loop, then the outer loop.
     pub shape: SealedShape,
+    /// The sealing of both loops, in their order.
+    pub seam_lines: Vec<SeamLines>,
     /// The cut.
     pub outline: Outline,
     /// The coating mask.
@@ -64,12 +66,17 @@ impl StarDesign {
         let half_band = seal.band.0 / 2.0;
         let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
         let mut refusals = Refusals::new();
-        let inner = refusals.keep(star_seam(&star, Side::Hole, None, seal));
+        let processes = [&star_spec.inner_process, &star_spec.outer_process].map(|name| spec.process(name));
+        let inner = refusals.keep(star_seam(&star, Side::Hole, None, &processes[0].seal));
         // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
         let hole_diameter = spec.sheet.hole_diameter.0;
         let outline =
             refusals.keep(Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, hole_diameter));
-        let outer = refusals.keep(star_seam(&star, Side::Outside, channel.as_ref(), seal));
+        let outer = refusals.keep(star_seam(&star, Side::Outside, channel.as_ref(), &processes[1].seal));
+        let loops = [&inner, &outer].into_iter().zip(&processes);
+        let seam_lines: Vec<SeamLines> = loops
+            .filter_map(|(seam, process)| refusals.keep(SeamLines::new(seam.as_ref()?, process)))
+            .collect();
         let drawn_edges = refusals.keep(edges(&star, channel.as_ref(), 0.0));
         let realised = refusals.keep(edges(&star, channel.as_ref(), half_band));
         let mask = outline
@@ -97,7 +104,19 @@ impl StarDesign {
                 let tiles = MaskTiles::whole(&mask);
                 let air = air_of_star(&star, &realised_edges, channel.as_ref());
                 let separator = PaperSeparator::new(spec, &shape, &air)?;
-                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, tiles, separator })
+                Ok(Self {
+                    star,
+                    channel,
+                    edges,
+                    realised_edges,
+                    shape,
+                    seam_lines,
+                    outline,
+                    mask,
+                    cut,
+                    tiles,
+                    separator,
+                })
             }
             _ => Err(refusals.each_once()),
         }

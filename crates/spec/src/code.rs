@@ -88,6 +88,7 @@ codes! {
         UnknownChoice "unknown-choice" "The word is not one of the choices shown; write one of them.",
         UnknownKey "unknown-key" "No key has this name here; write the one suggested, or delete it.",
         UnknownMachine "unknown-machine" "No machine profile has this name, and no file; `stargrip-cam machines` lists them.",
+        UnknownProcess "unknown-process" "No process has this name; write the one suggested, or its section `[process.NAME]`.",
         UnknownSection "unknown-section" "No section has this name; write the one suggested, or delete it.",
         UnknownUnit "unknown-unit" "The unit does not fit the quantity, or is unknown; write one of those shown.",
         WrongType "wrong-type" "The value is of another kind than the key takes; write it as shown.",

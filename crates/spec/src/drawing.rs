@@ -1,6 +1,7 @@
 //! `[drawing]`: a person's own drawing, and the roles of its layers.
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use crate::FaultCode;
@@ -10,7 +11,7 @@ use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::units::Length;
 use crate::unknown::nearest;
-use crate::value::{RawKind, RawValue};
+use crate::value::{RawEntry, RawKind, RawValue};
 use artwork::{Artwork, Format, Options, Unit};
 
 /// The least width of a passage that makers report to inflate well, mm.
@@ -33,6 +34,8 @@ pub struct DrawingSpec {
     pub flange: Length,
     /// Names of layers with their roles, in the order of the spec.
     pub layers: Vec<(String, LayerRole)>,
+    /// Names of layers, elements, roles or seams, each with the process by which its seams are made.
+    pub processes: Vec<(String, String)>,
     /// The content of the file; `None` until it is read.
     pub content: Option<DrawingContent>,
 }
@@ -234,6 +237,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
     let passage = s.length("passage", Allowed::closed(0.0, 1000.0), LEAST_PASSAGE);
     let flange = s.length("flange", Allowed::closed(0.1, 1000.0), FLANGE);
     let layers = read_layers(s);
+    let processes = read_seam_processes(s);
     s.is_written().then(|| DrawingSpec {
         file: file.unwrap_or_default(),
         units,
@@ -241,6 +245,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
         passage,
         flange,
         layers,
+        processes,
         content: None,
     })
 }
@@ -271,32 +276,67 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
             s.report(fault.label("no role has this name").help(help));
             continue;
         };
-        let Some(list) = entry.value.as_list() else {
-            let label = format!("must be a list of layers: {} = [\"name\"]", entry.key);
-            s.report(wrong_type(
-                &entry.value,
-                format!("`{}` is {}", entry.key, entry.value.in_words()),
-                label,
-            ));
-            continue;
-        };
-        for item in list {
-            let RawKind::Text(name) = &item.kind else {
-                let message = format!("a layer of `{}` is {}", entry.key, item.in_words());
-                s.report(wrong_type(item, message, "must be a name in quotes".to_owned()));
-                continue;
-            };
-            if let Some((_, other)) = layers.iter().find(|(known, _)| known == name) {
+        for (name, span) in listed_names(s, entry) {
+            if let Some((_, other)) = layers.iter().find(|(known, _)| *known == name) {
                 let message =
-                    format!("layer {} has two roles, {} and {}", quoted(name), other.word(), entry.key);
-                let fault = Fault::error(FaultCode::Conflict, item.span.clone(), message);
+                    format!("layer {} has two roles, {} and {}", quoted(&name), other.word(), entry.key);
+                let fault = Fault::error(FaultCode::Conflict, span, message);
                 s.report(fault.label("a layer has one role").help("delete it from one of the lists"));
                 continue;
             }
-            layers.push((name.clone(), *role));
+            layers.push((name, *role));
         }
     }
     layers
+}
+
+/// The names in the list of `entry`, each with its place. Anything else is reported and left out.
+fn listed_names(s: &mut Section<'_, '_>, entry: &RawEntry) -> Vec<(String, Range<usize>)> {
+    let Some(list) = entry.value.as_list() else {
+        let label = format!("must be a list of layers: {} = [\"name\"]", entry.key);
+        let message = format!("`{}` is {}", entry.key, entry.value.in_words());
+        s.report(wrong_type(&entry.value, message, label));
+        return Vec::new();
+    };
+    let mut names = Vec::new();
+    for item in list {
+        match &item.kind {
+            RawKind::Text(name) => names.push((name.clone(), item.span.clone())),
+            RawKind::Number(_) | RawKind::Truth(_) | RawKind::Date | RawKind::List(_) | RawKind::Table(_) => {
+                let message = format!("a layer of `{}` is {}", entry.key, item.in_words());
+                s.report(wrong_type(item, message, "must be a name in quotes".to_owned()));
+            }
+        }
+    }
+    names
+}
+
+/// The table of processes: names of layers, elements, roles or seams, each with the process of its seams, in the order of the text.
+fn read_seam_processes(s: &mut Section<'_, '_>) -> Vec<(String, String)> {
+    let mut processes: Vec<(String, String)> = Vec::new();
+    let Some(value) = s.take("process", ValueShape::NamedLists) else { return processes };
+    let Some(table) = value.as_table() else {
+        let label = "must be a section, [drawing.process], with a list of names for each process".to_owned();
+        s.report(wrong_type(value, format!("`process` is {}", value.in_words()), label));
+        return processes;
+    };
+    for entry in &table.0 {
+        for (name, span) in listed_names(s, entry) {
+            if let Some((_, other)) = processes.iter().find(|(known, _)| *known == name) {
+                let message = format!(
+                    "{} has two processes, {} and {}",
+                    quoted(&name),
+                    quoted(other),
+                    quoted(&entry.key)
+                );
+                let fault = Fault::error(FaultCode::Conflict, span, message);
+                s.report(fault.label("a seam has one process").help("delete it from one of the lists"));
+                continue;
+            }
+            processes.push((name, entry.key.clone()));
+        }
+    }
+    processes
 }
 
 fn wrong_type(value: &RawValue, message: String, label: String) -> Fault {

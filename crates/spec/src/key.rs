@@ -13,6 +13,7 @@ pub struct KeyPath {
     section: &'static str,
     key: &'static str,
     star: Option<u32>,
+    process: Option<u32>,
 }
 
 impl KeyPath {
@@ -29,6 +30,18 @@ impl KeyPath {
     /// The star of which it is (1 = bottom); `None` if it is about the whole spec, or about no star in particular.
     pub const fn star(self) -> Option<u32> {
         self.star
+    }
+
+    /// The place of its process in the order of the alphabet, from 0; `None` if it is of no process in particular.
+    pub const fn process(self) -> Option<u32> {
+        self.process
+    }
+
+    /// This key of the process at place `index` in the order of the alphabet, if it is one of processes.
+    #[must_use]
+    pub fn of_process(self, index: usize) -> Self {
+        let process = u32::try_from(index).ok().filter(|_| self.section == process::SPEED.section);
+        Self { process, ..self }
     }
 
     /// This key of star `index` (1 = bottom), if it is one that stars can have of their own.
@@ -73,7 +86,7 @@ macro_rules! keys {
                 use crate::KeyPath;
                 $(
                     #[doc = concat!("`", $key, "`")]
-                    pub const $name: KeyPath = KeyPath { section: $section, key: $key, star: None };
+                    pub const $name: KeyPath = KeyPath { section: $section, key: $key, star: None, process: None };
                 )+
             }
         )+
@@ -93,16 +106,22 @@ keys! {
     }
     star "star" {
         POINTS "points", INNER_RADIUS "inner_radius", TUBE_WIDTH "tube_width", TIP_ANGLE "tip_angle",
-        TIP_RADIUS "tip_radius", CORNER_RADIUS "corner_radius",
+        TIP_RADIUS "tip_radius", CORNER_RADIUS "corner_radius", INNER_PROCESS "inner_process",
+        OUTER_PROCESS "outer_process",
     }
     stack "stack" { COUNT "count", ROTATION "rotation", PITCH "pitch", STAR "star" }
-    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", FLANGE "flange", LAYERS "layers" }
+    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", FLANGE "flange", LAYERS "layers", PROCESS "process" }
     inlet "inlet" {
         NONE "none", TUBE_DIAMETER "tube_diameter", LENGTH "length", TIP "tip", FILLET "fillet",
     }
     seal "seal" {
         TEMPERATURE "temperature", SPEED "speed", BAND "band", OVERLAP "overlap", ALLOWANCE "allowance",
-        HOLE_ALLOWANCE "hole_allowance",
+        HOLE_ALLOWANCE "hole_allowance", HEIGHT "height", PASSES "passes", LINES "lines", TIP "tip", COOL "cool",
+        PAUSE "pause", STRENGTH "strength",
+    }
+    process "process" {
+        TEMPERATURE "temperature", SPEED "speed", HEIGHT "height", PASSES "passes", LINES "lines", OVERLAP "overlap",
+        COOL "cool", PAUSE "pause", STRENGTH "strength",
     }
     mask "mask" {
         KIND "kind", EXTENT "extent", CREEP "creep", BORDER "border", MIRROR "mirror", THICKNESS "thickness",
@@ -151,7 +170,7 @@ mod tests {
 
     #[test]
     fn the_keys_by_name_are_those_that_the_reader_takes() {
-        let text = "[[stack.star]]\nindex = 1\n";
+        let text = "[[stack.star]]\nindex = 1\n[process.weak]\n";
         let (raw, _) = RawSpec::parse(text);
         let mut reader = Reader::new(&raw);
         let _ = read_spec(&mut reader);

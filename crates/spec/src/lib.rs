@@ -36,6 +36,7 @@ mod reading;
 mod release_layer;
 mod render;
 mod schema;
+mod seal;
 mod section;
 mod shape;
 mod source;
@@ -66,7 +67,7 @@ pub use machine::{
 pub use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    MaskKind, ObjectShape, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    MaskKind, ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};
@@ -80,6 +81,7 @@ pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, read_fabric_of, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
+pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub use unknown::nearest;

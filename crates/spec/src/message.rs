@@ -8,7 +8,11 @@ use crate::units::{Percent, Pressure, Quantity, QuantityFault, QuantityKind, Rea
 
 /// A section's name as its header is written.
 pub(super) fn header(name: &str) -> String {
-    if name.contains('.') { format!("[[{name}]]") } else { format!("[{name}]") }
+    match name {
+        "process" => "[process.NAME]".to_owned(),
+        name if name.contains('.') => format!("[[{name}]]"),
+        name => format!("[{name}]"),
+    }
 }
 
 /// "a length", "an angle".

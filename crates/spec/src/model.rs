@@ -3,10 +3,9 @@
 use crate::accuracy::Accuracy;
 use crate::press::Press;
 use crate::product::ProductKind;
-use crate::units::{
-    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure, Speed, Temperature,
-};
-use crate::{DrawingSpec, KeyPath, key};
+use crate::seal::DEFAULT_PROCESS;
+use crate::units::{Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure};
+use crate::{DrawingSpec, KeyPath, ProcessSpec, Seal, key};
 
 /// A complete and valid specification of a gripper, or of a piece by a drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +22,8 @@ pub struct Spec {
     pub inlet: Option<Inlet>,
     /// `[seal]`
     pub seal: Seal,
+    /// `[process.NAME]`, in the order of the alphabet.
+    pub processes: Vec<ProcessSpec>,
     /// `[mask]`
     pub mask: Mask,
     /// `[frame]`
@@ -115,6 +116,10 @@ pub struct StarSpec {
     pub pitch: Length,
     /// The tip that carries the inlet, 1 to n.
     pub inlet_tip: u32,
+    /// The process of the inner loop.
+    pub inner_process: String,
+    /// The process of the outer loop.
+    pub outer_process: String,
 }
 
 impl Spec {
@@ -153,6 +158,8 @@ impl StarSpec {
             rotation: Angle(0.0),
             pitch: Length(40.0),
             inlet_tip: 1,
+            inner_process: DEFAULT_PROCESS.to_owned(),
+            outer_process: DEFAULT_PROCESS.to_owned(),
         }
     }
 
@@ -172,23 +179,6 @@ pub struct Inlet {
     pub length: Length,
     /// Radius where the channel meets the tip's arc.
     pub fillet: Length,
-}
-
-/// Path, temperature and speed of the seal.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Seal {
-    /// Temperature of the iron.
-    pub temperature: Temperature,
-    /// Speed of the iron in contact.
-    pub speed: Speed,
-    /// Width w of the band.
-    pub band: Length,
-    /// Path covered twice at contact height where a loop closes, ramps excluded.
-    pub overlap: Length,
-    /// Flap outside the star.
-    pub allowance: Length,
-    /// Flap on the hole side.
-    pub hole_allowance: Length,
 }
 
 /// The masks.

@@ -67,9 +67,12 @@ impl RawSpec {
         self.find(key).or_else(header).unwrap_or(usize::MAX..usize::MAX)
     }
 
-    /// The section of `key`; the keys before the first section have none.
+    /// The section of `key`, of a process its own; the keys before the first section have none.
     fn section(&self, key: KeyPath) -> Option<&RawValue> {
-        self.root.get(key.section())
+        let section = self.root.get(key.section())?;
+        let Some(process) = key.process() else { return Some(section) };
+        let entries = &section.as_table()?.0;
+        entries.get(usize::try_from(process).ok()?).map(|entry| &entry.value)
     }
 
     /// The `[[stack.star]]` of star `index`.

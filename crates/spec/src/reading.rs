@@ -4,20 +4,20 @@
 //! then refuse the spec.
 
 use crate::accuracy::{Accuracy, ModelChoice};
-use crate::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
+use crate::allowed::{Allowed, EXTRA, SIZE};
 use crate::fault::{Fault, quoted};
 use crate::faults::Faults;
 use crate::foreign::{self, Document};
 use crate::model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind,
-    ProgramScope, Seal, Sheet, Spec,
+    ProgramScope, Sheet, Spec,
 };
 use crate::raw::RawSpec;
-use crate::release_layer::check_ptfe;
+use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength};
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
-use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
+use crate::units::{Angle, Length, LineForce, Percent, Pressure};
 use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, press, stars};
 use std::ops::Range;
 
@@ -48,7 +48,7 @@ impl Reading {
 /// Ranges, ends included unless noted otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
 /// and fillet 0 to 100 m; `hole_diameter` 0 or from 0.2 mm; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
 /// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
-/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
+/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `passes` and `lines` 1 to 20; `cool` 0 to 1 h; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
 /// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
 /// 1e-9 to 1e9 N mm; `stretch_stiffness` 1e-6 to 1e9 N/mm; `pressure` 1 Pa to 1 GPa;
 /// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as in [`check_name`](crate::name::check_name);
@@ -73,13 +73,15 @@ pub fn written_profile(source: &Source) -> Option<(String, Range<usize>)> {
 /// All faults of the text.
 pub fn read_fabric_of(source: &Source) -> Result<Fabric, Faults> {
     let (raw, _) = RawSpec::parse(&source.text);
-    let is_part = raw.root().0.iter().all(|entry| ["fabric", "seal"].contains(&entry.key.as_str()));
+    let is_part =
+        raw.root().0.iter().all(|entry| ["fabric", "seal", "process"].contains(&entry.key.as_str()));
     if !is_part {
         return read(source).map(|reading| reading.spec.fabric);
     }
     let sections = |reader: &mut Reader<'_>| {
-        let _ = read_seal(&mut reader.section("seal"));
-        read_fabric(&mut reader.section("fabric"))
+        let (seal, strength) = read_seal(&mut reader.section("seal"));
+        let _ = read_processes(reader, &seal);
+        read_fabric_with(reader, strength)
     };
     read_with(source, Document::Spec, sections).map(|(fabric, ..)| fabric)
 }
@@ -145,7 +147,9 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     root.require(&[("schema", "1"), ("name", "\"five-point star\"")]);
     read_schema(&mut root, 1);
     let name = root.name().unwrap_or_default();
-    let fabric = read_fabric(&mut reader.section("fabric"));
+    let (seal, strength) = read_seal(&mut reader.section("seal"));
+    let processes = read_processes(reader, &seal);
+    let fabric = read_fabric_with(reader, strength);
     let drawing = drawing::read(reader);
     let (stars, inlet) = stars::read(reader, drawing.is_some());
     let cut = read_cut(&mut reader.section("cut"));
@@ -157,7 +161,8 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         stars,
         drawing,
         inlet,
-        seal: read_seal(&mut reader.section("seal")),
+        seal,
+        processes,
         mask: read_mask(&mut reader.section("mask")),
         frame: read_frame(&mut reader.section("frame"), cut.kerf),
         cut,
@@ -169,6 +174,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         build: read_build(&mut reader.section("build")),
     };
     check_product(reader, &spec);
+    check_uses(reader, &spec.processes);
     spec
 }
 
@@ -193,31 +199,24 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
     }
 }
 
+/// `[fabric]` beside the peel strength that `[seal]` states.
+fn read_fabric_with(reader: &mut Reader<'_>, strength: Option<LineForce>) -> Fabric {
+    let fabric = read_fabric(&mut reader.section("fabric"));
+    Fabric { seal_strength: read_strength(reader, fabric.seal_strength, strength), ..fabric }
+}
+
 pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
     Fabric {
         thickness: s.length("thickness", SIZE, 0.3),
         young_modulus: s.quantity("young_modulus", Allowed::closed(1e-3, 1e9)).unwrap_or(Pressure(128e3)),
         poisson_ratio: s.number("poisson_ratio", Allowed::half_open(-1.0, 0.5)).unwrap_or(0.39),
-        seal_strength: s.quantity("seal_strength", Allowed::closed(1e-6, 1e4)),
+        seal_strength: s.quantity("seal_strength", STRENGTHS),
         areal_density: s.quantity("areal_density", Allowed::closed(1e-6, 1e4)),
         bending_stiffness: s.quantity("bending_stiffness", Allowed::closed(1e-9, 1e9)),
         stretch_stiffness: s.quantity("stretch_stiffness", Allowed::closed(1e-6, 1e9)),
         shear_modulus: s.quantity("shear_modulus", Allowed::closed(1e-3, 1e9)),
         warp: s.quantity("warp", Allowed::closed(-180.0, 180.0)).unwrap_or(Angle(0.0)),
     }
-}
-
-fn read_seal(s: &mut Section<'_, '_>) -> Seal {
-    let seal = Seal {
-        temperature: s.quantity("temperature", Allowed::half_open(0.0, 400.0)).unwrap_or(Temperature(200.0)),
-        speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
-        band: s.length("band", SIZE, 2.0),
-        overlap: s.length("overlap", EXTRA, 5.0),
-        allowance: s.length("allowance", EXTRA, 8.0),
-        hole_allowance: s.length("hole_allowance", EXTRA, 1.0),
-    };
-    check_ptfe(s, seal.temperature);
-    seal
 }
 
 fn read_mask(s: &mut Section<'_, '_>) -> Mask {

@@ -22,6 +22,8 @@ use crate::starter::TEMPLATE;
 /// The file's name beside a spec, as in the first line of the starter.
 pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
+/// The section whose keys are those of sections with names.
+const NAMED: &str = "process";
 /// The section whose keys are those of a list of sections.
 const LIST: &str = "stack.star";
 /// The products: a spec has one of these sections.
@@ -34,6 +36,8 @@ pub(super) const INSTEAD: &str = r#"
 [load]
 chambers = { "right-hose": "0 kPa" }  # pressures of chambers of a drawing that differ from `pressure`, by the names of their ports
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
+[seal]
+strength = "3 N/mm"  # peel strength of the seams, in place of `seal_strength` in [fabric]; set one of the two
 # A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]
 file = "outline.svg"  # SVG or ASCII DXF, beside this file
@@ -42,6 +46,7 @@ units = "mm"  # of the file's numbers; it replaces the unit that the file states
 # passage = "15 mm"  # a narrower passage of the air gives a warning
 # flange = "10 mm"  # width of a valve's flange around its hole, where its rim is not drawn
 layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, valves, measures, or ignored
+process = { "weak": ["tear"] }  # the process of some seams: names of layers, elements, roles (air, seam) or seams; all others are made by [seal]
 "#;
 
 /// Notes that the profile `generic` lacks. A line that begins with `# ` is a default, with the meaning that `generic` gives where
@@ -153,6 +158,12 @@ fn text_of(
 ) -> String {
     let mut root = sections.remove("").unwrap_or_default();
     for (name, section) in sections {
+        if name == NAMED {
+            let keys = section.object("");
+            let named = json!({ "type": "object", "description": notes.of_section(NAMED), "additionalProperties": keys });
+            let _ = root.keys.insert(name, named);
+            continue;
+        }
         if !section.required.is_empty() && !EITHER.contains(&name) {
             root.required.push(name);
         }
@@ -233,7 +244,11 @@ mod tests {
 
     /// The property of `key` in `section`.
     fn property_of<'s>(schema: &'s Value, section: &str, key: &str) -> &'s Value {
-        let home = if section.is_empty() { schema } else { &schema["properties"][section] };
+        let home = match section {
+            "" => schema,
+            NAMED => &schema["properties"][NAMED]["additionalProperties"],
+            section => &schema["properties"][section],
+        };
         &home["properties"][key]
     }
 
@@ -246,7 +261,11 @@ mod tests {
         let count = |object: &Value| object["properties"].as_object().map_or(0, Map::len);
         let sections: std::collections::BTreeSet<&str> =
             key::ALL.iter().map(|key| key.section()).filter(|name| !name.is_empty()).collect();
-        let section_keys: usize = sections.iter().map(|name| count(&schema["properties"][*name])).sum();
+        let home = |name: &str| match name {
+            NAMED => count(&schema["properties"][NAMED]["additionalProperties"]),
+            name => count(&schema["properties"][name]),
+        };
+        let section_keys: usize = sections.iter().map(|name| home(name)).sum();
         assert_eq!(count(&schema) - sections.len() + section_keys, key::ALL.len());
         let star_keys = key::ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
         let stars = &schema["properties"]["stack"]["properties"]["star"]["items"];

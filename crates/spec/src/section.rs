@@ -81,6 +81,11 @@ impl<'r> Reader<'r> {
         self.open(name, table, value.span.clone())
     }
 
+    /// Section `name`, as if it were not written: registers its keys.
+    pub(super) fn absent(&mut self, name: &'static str) -> Section<'_, 'r> {
+        self.open(name, None, usize::MAX..usize::MAX)
+    }
+
     /// Section `name`, whose keys the caller checks; `None` if it was not written.
     pub(super) fn free(&mut self, name: &'static str) -> Option<&'r RawValue> {
         let value = self.raw.root().get(name);

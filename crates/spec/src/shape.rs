@@ -37,6 +37,8 @@ pub(super) enum ValueShape {
     Sections,
     /// A section whose keys are these words, each with a list of texts.
     Lists(Vec<&'static str>),
+    /// A section whose keys are names, each with a list of texts.
+    NamedLists,
     /// A section whose keys are names, each with a quantity in the range.
     Quantities(QuantityKind, Allowed),
 }
@@ -96,6 +98,9 @@ impl ValueShape {
                     by_name
                         .map(|by_name| format!("By name: {}{}", by_name[..1].to_lowercase(), &by_name[1..])),
                 );
+            }
+            Self::NamedLists => {
+                return (json!({ "type": "object", "additionalProperties": texts() }), None);
             }
             Self::Lists(words) => {
                 let keys: Map<_, _> = words.iter().map(|word| ((*word).to_owned(), texts())).collect();

@@ -57,8 +57,15 @@ fn read_shape(s: &mut Section<'_, '_>, base: &StarSpec) -> StarSpec {
         tip_angle: s.quantity("tip_angle", Allowed::open(0.0, 180.0)).unwrap_or(base.tip_angle),
         tip_radius: s.quantity("tip_radius", EXTRA).unwrap_or(base.tip_radius),
         corner_radius: s.quantity("corner_radius", EXTRA).unwrap_or(base.corner_radius),
+        inner_process: process(s, "inner_process", &base.inner_process),
+        outer_process: process(s, "outer_process", &base.outer_process),
         ..base.clone()
     }
+}
+
+/// The process that `key` names; that of `base` if it is absent.
+fn process(s: &mut Section<'_, '_>, key: &'static str, base: &str) -> String {
+    s.text(key).map_or(base, |(name, _)| name).to_owned()
 }
 
 /// The keys of `[stack]` that place a star, each as in `base` if it is absent.

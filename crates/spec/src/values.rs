@@ -33,7 +33,7 @@ impl Setting {
     }
 }
 
-/// The settings of `source`, which must be a valid spec: all keys in the starter's order, then those of single stars.
+/// The settings of `source`, which must be a valid spec: all keys in the starter's order, then those of single stars and of processes.
 pub fn settings(source: &Source) -> Vec<Setting> {
     settings_of(source, known_keys(TEMPLATE))
 }
@@ -89,16 +89,20 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
         .filter(|setting| setting.key != "schema")
         .collect();
     for star in raw.overrides().iter().filter_map(RawValue::as_table) {
-        list.extend(of_star(star));
+        let section = format!("star {}", star.get("index").map(plain_text).unwrap_or_default());
+        list.extend(written(star, section).filter(|setting| setting.key != "index"));
+    }
+    let processes = raw.root().get("process").and_then(RawValue::as_table);
+    for entry in processes.into_iter().flat_map(|table| &table.0) {
+        let table = entry.value.as_table();
+        list.extend(table.into_iter().flat_map(|table| written(table, format!("process.{}", entry.key))));
     }
     list
 }
 
-/// The settings of a `[[stack.star]]`.
-fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
-    let section = format!("star {}", star.get("index").map(plain_text).unwrap_or_default());
-    let entries = star.0.iter().filter(|entry| entry.key != "index");
-    entries.map(move |entry| Setting {
+/// The settings that `table` writes, as those of `section`.
+fn written(table: &RawTable, section: String) -> impl Iterator<Item = Setting> {
+    table.0.iter().map(move |entry| Setting {
         section: section.clone(),
         key: entry.key.clone(),
         value: Some(plain_text(&entry.value)),
@@ -130,7 +134,7 @@ struct KnownKey {
     meaning: &'static str,
 }
 
-/// The keys in `notes`, written as the starter, but those of single stars.
+/// The keys in `notes`, written as the starter, but those of single stars and of processes.
 fn known_keys(notes: &'static str) -> impl Iterator<Item = KnownKey> {
     let mut section = "";
     notes.lines().filter_map(move |line| {
@@ -145,7 +149,7 @@ fn known_keys(notes: &'static str) -> impl Iterator<Item = KnownKey> {
         }
         let (key, rest) = line.split_once(" = ")?;
         let is_key = key.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_');
-        if !is_key || section == "stack.star" {
+        if !is_key || section == "stack.star" || section.starts_with("process.") {
             return None;
         }
         let (value, meaning) = rest.split_once("  #").unwrap_or((rest, ""));
@@ -199,8 +203,12 @@ mod tests {
                 .count()
         };
         // A form has no field for the version and for the list of single stars.
-        let missing: Vec<_> =
-            key::ALL.iter().filter(|key| named(key) != 1).map(ToString::to_string).collect();
+        // A process has a name of the user's.
+        let missing: Vec<_> = key::ALL
+            .iter()
+            .filter(|key| key.section() != "process" && named(key) != 1)
+            .map(ToString::to_string)
+            .collect();
         assert_eq!(missing, ["schema", "stack.star"]);
         let join = list.iter().find(|one| one.key == "join").expect("a drawing's key");
         assert_eq!((join.value.as_deref(), join.given), (Some("0.02 mm"), false));

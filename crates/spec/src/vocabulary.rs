@@ -70,6 +70,8 @@ pub struct Vocabulary {
     pub fixed: &'static [Command],
     /// Letters of the words that carry numbers.
     pub parameters: &'static str,
+    /// Whether its M109 waits with S for a cold heater only, and with R for one that is too hot, too.
+    pub waits_by_r: bool,
 }
 
 impl Vocabulary {
@@ -83,6 +85,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        waits_by_r: false,
     };
 
     /// LinuxCNC.
@@ -94,6 +97,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        waits_by_r: false,
     };
 
     /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
@@ -105,6 +109,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        waits_by_r: false,
     };
 
     /// Marlin without its options: no arcs, planes or inches.
@@ -116,6 +121,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
+        waits_by_r: true,
     };
 
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
@@ -127,6 +133,7 @@ impl Vocabulary {
         words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
         fixed: &[C::PerMinute],
         parameters: "XYZFPSR",
+        waits_by_r: false,
     };
 
     /// RepRapFirmware 3: arc centres always from the start.
@@ -138,6 +145,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::CentersRelative],
         parameters: "XYZIJFPSR",
+        waits_by_r: true,
     };
 
     /// The words of a controller of family `dialect` that draws arcs if its family does.
@@ -274,7 +282,8 @@ impl Command {
     pub const fn own_letters(self) -> &'static [u8] {
         match self {
             Self::Dwell => b"P",
-            Self::HeatAndWait | Self::HeatOnly => b"S",
+            Self::HeatAndWait => b"RS",
+            Self::HeatOnly => b"S",
             Self::Progress => b"PR",
             Self::Setting => b"IST",
             _ => b"",

@@ -63,7 +63,12 @@ pub(super) fn travel_group(
                     starts.push(Start { order: index + 1, at: point, along: tangent, tube });
                 }
             }
-            Step::Height(_) | Step::Heat(_) | Step::Travel(_) | Step::Trace(_) => {}
+            Step::Height(_)
+            | Step::Heat(_)
+            | Step::Pause(_)
+            | Step::Cool(_)
+            | Step::Travel(_)
+            | Step::Trace(_) => {}
         }
     }
     (group, starts)

@@ -6,7 +6,7 @@ use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
 use design::{Circle, CutEdge, FlatPiece, PlacedPart, SheetLayout};
 use geom::{Path, Point, Segment};
-use program::plan::{Program, Ramp, Step, height_of};
+use program::plan::{Program, Ramp, SeamReport, Step, height_of};
 
 /// The distinct pieces, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
@@ -79,6 +79,15 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
                 "overlap_mm": thousandths(seam.overlap), "time_s": thousandths(seam.time),
             })
         });
+        let processed = |(mut value, seam): (Value, &SeamReport)| {
+            if !program.is_plain() {
+                value["process"] = json!(program.processes[seam.process].process.name);
+                value["line"] = json!(seam.line);
+                value["pass"] = json!(seam.pass);
+            }
+            value
+        };
+        let seams = seams.zip(&program.seams).map(processed);
         json!({
             "sheet": program.sheet, "stars": program.numbers(), "time_s": thousandths(program.time),
             "seams": seams.collect::<Vec<_>>(), "steps": steps,
@@ -108,6 +117,8 @@ fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Va
         Step::TouchDown(down) => ramp("down", down),
         Step::Seal(pieces) => along("seal", pieces),
         Step::Lift(up) => ramp("up", up),
+        Step::Pause(_) => json!({ "do": "pause", "end_s": end }),
+        Step::Cool(wait) => json!({ "do": "cool", "end_s": end, "wait_s": wait.0 }),
         Step::Seam(_) | Step::Trace(_) => return None,
     })
 }

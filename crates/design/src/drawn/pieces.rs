@@ -1,6 +1,7 @@
 //! All pieces of a drawing, and their copies on sheets.
 
-use crate::drawn::{DrawnPiece, Measure, rules, sketch};
+use crate::drawn::process::SeamProcesses;
+use crate::drawn::{DrawnPiece, Measure, read, rules, sketch};
 use crate::placement::{SheetLayout, footprint, place};
 use crate::{FlatPiece, PlacedPart, RefusalCode, Refusals, Warning};
 use geom::{Bounds, Path};
@@ -37,14 +38,21 @@ impl DrawnPieces {
     ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
         let (whole_sketch, measures, mut notes) = sketch(spec, drawing)?;
         let (mut pieces, mut warnings, mut refusals) = (Vec::new(), Vec::new(), Refusals::new());
+        let artwork = read(spec, drawing)?;
+        let mut processes = SeamProcesses::new(&artwork, drawing, spec.seal.band.0);
         for whole_sketch in separate(&whole_sketch, &rules(spec, drawing)) {
             if let Some((piece, warned, repairs)) =
-                refusals.keep(DrawnPiece::new(spec, drawing, &whole_sketch))
+                refusals.keep(DrawnPiece::new(spec, drawing, &whole_sketch, &mut processes))
             {
                 pieces.push(piece);
                 warnings.extend(warned);
                 notes.extend(repairs);
             }
+        }
+        if refusals.is_empty() {
+            let seams = pieces.iter().flat_map(|piece: &DrawnPiece| &piece.shape.seams);
+            let names: Vec<&str> = seams.map(|seam| seam.name.as_str()).collect();
+            refusals.extend(processes.without_seam(&names));
         }
         without_missing_ports(refusals).or(())?;
         let ramp = machine.process.ramp.0;

@@ -18,6 +18,9 @@ pub(super) struct Spelling {
     pub(super) travel_at_feed: bool,
     /// What its display gets by M73.
     progress: DisplayProgress,
+    /// The letter of M109 with which it waits for a nozzle that is too hot, too. Marlin (M104_M109.cpp) and RepRapFirmware (GCodes2.cpp)
+    /// wait with S for a cold nozzle only; Klipper (heaters.py) waits for both, and knows no R.
+    pub(super) exact_heat: char,
     /// The comment that names the maker to its host; `None` where the host reads none, or is unknown. Such a host reads the time, too.
     ///
     /// Moonraker (components/file_manager/metadata.py) believes a time only of a file that names its maker and a date. There is no
@@ -45,19 +48,27 @@ impl Spelling {
             Dialect::LinuxCnc | Dialect::FluidNc => Self::mill(false),
             Dialect::Grbl | Dialect::GrblHal => Self::mill(true),
             Dialect::Marlin => Self::printer(DisplayProgress::PercentAndMinutes, None),
-            Dialect::Klipper => Self::printer(DisplayProgress::Percent, Some(MOONRAKER)),
+            Dialect::Klipper => {
+                Self { exact_heat: 'S', ..Self::printer(DisplayProgress::Percent, Some(MOONRAKER)) }
+            }
             Dialect::RepRapFirmware => Self::printer(DisplayProgress::PercentAndMinutes, Some(MAKER)),
         }
     }
 
     /// The spelling of a mill: G0 has a speed of its own, and there is neither a display nor a host that reads comments.
     fn mill(dwell_early: bool) -> Self {
-        Self { dwell_early, travel_at_feed: false, progress: DisplayProgress::Nothing, maker: None }
+        Self {
+            dwell_early,
+            travel_at_feed: false,
+            progress: DisplayProgress::Nothing,
+            exact_heat: 'S',
+            maker: None,
+        }
     }
 
     /// The spelling of a printer: dwells last exactly as long as they are written, G0 runs at the feed in force.
     fn printer(progress: DisplayProgress, maker: Option<&'static str>) -> Self {
-        Self { dwell_early: false, travel_at_feed: true, progress, maker }
+        Self { dwell_early: false, travel_at_feed: true, progress, exact_heat: 'R', maker }
     }
 
     /// The comment that gives its host the time of a job of `seconds`; `None` where the host reads none.

@@ -28,7 +28,7 @@ pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Progr
     for (name, program) in checks {
         let (seconds, speed) = (CHECK_LENGTH / spec.seal.speed.0, number(spec.seal.speed.0));
         writer.comment(&format!("next: {CHECK_LENGTH} mm {name}, must take {seconds:.1} s at {speed} mm/s"));
-        let mut job = Job::new(program.pace, writer);
+        let mut job = Job::new(program.pace(), writer);
         for (i, step) in program.steps.iter().enumerate() {
             if i + 1 == program.steps.len() {
                 pause(&mut job.writer, machine);

@@ -2,7 +2,7 @@
 
 use crate::gcode::writer::{Facts, Writer};
 use crate::number::number;
-use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
+use crate::plan::{Pace, PacedProcess, Program, Purpose, SeamReport, Stepper};
 use sealed::scope;
 use spec::{DwellUnit, Heating, Machine};
 
@@ -22,9 +22,17 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
     if program.purpose == Purpose::Seal {
         job_facts(writer);
         conditions(writer, machine, program);
+        if !program.is_plain() {
+            processes(writer, machine, program);
+        }
     }
     for (seam, i) in program.seams.iter().zip(1..) {
         writer.comment(&seam_facts("length", i, seam));
+        if !program.is_plain() {
+            let process = &program.processes[seam.process].process.name;
+            let (line, pass) = (seam.line, seam.pass);
+            writer.comment(&format!("sealing: seam={i} process={process} line={line} pass={pass}"));
+        }
     }
     if program.purpose == Purpose::Seal {
         let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
@@ -60,9 +68,32 @@ fn job_facts(writer: &mut Writer<'_>) {
     writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
 }
 
+/// The processes of the program, a fact a line: the name of one is as long as a line may be short.
+fn processes(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
+    for PacedProcess { process, pace, .. } in &program.processes {
+        let seal = &process.seal;
+        let mut facts = vec![
+            ("temperature_C", seal.temperature.0),
+            ("speed_mm_s", seal.speed.0),
+            ("contact_mm", seal.contact(&machine.process).0),
+            ("cool_s", seal.cool.0),
+        ];
+        if let Pace::Chopped(chop) = pace {
+            facts.extend([("feed_mm_min", chop.speed * 60.0), ("longest_mm", chop.longest)]);
+        }
+        for (word, value) in facts {
+            writer.comment(&format!("process: process={} {word}={}", process.name, number(value)));
+        }
+    }
+}
+
 /// The tasks of the operator, and the settings on which a chopped program relies.
 fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
-    if let Pace::Chopped(chop) = program.pace {
+    let chopped = program.processes.iter().find_map(|paced| match paced.pace {
+        Pace::Chopped(chop) => Some(chop),
+        Pace::Steady => None,
+    });
+    if let Some(chop) = chopped {
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
         let (longest, step) = (number(chop.longest), number(chop.step));
         writer.facts(&format!("chop: feed_mm_min={feed} longest_mm={longest}"));

@@ -20,7 +20,7 @@ use crate::gcode::writer::Writer;
 use crate::number::{Decimals, number};
 use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
 use geom::{Point, Segment};
-use spec::units::Readable;
+use spec::units::{Duration, Readable, Temperature};
 use spec::{Dialect, Heating, Machine, Spec};
 
 pub use feed_check::{FEED_CHECK_TITLE, feed_check};
@@ -29,7 +29,7 @@ pub use writer::Facts;
 
 /// The program as text, with `thumbnails` in its header.
 pub fn gcode(spec: &Spec, machine: &Machine, program: &Program, thumbnails: &[Thumbnail]) -> String {
-    let mut job = Job::new(program.pace, Writer::new(Facts::new(spec, machine)));
+    let mut job = Job::new(program.pace(), Writer::new(Facts::new(spec, machine)));
     job.whole = Some(Whole { machine, program, clock: Clock::new(machine), percent: 0.0 });
     header(&mut job.writer, machine, program);
     for picture in thumbnails {
@@ -69,8 +69,9 @@ pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, start: Point) ->
 
 /// The way through a program's steps.
 struct Job<'a> {
-    pace: Pace,
     writer: Writer<'a>,
+    /// The pacer at the start of every contact of the process.
+    first: Pacer,
     pacer: Pacer,
     /// The program that the steps are all of; `None` for a few steps alone.
     whole: Option<Whole<'a>>,
@@ -88,13 +89,14 @@ struct Whole<'a> {
 impl<'a> Job<'a> {
     /// The beginning of a way through a few steps.
     fn new(pace: Pace, writer: Writer<'a>) -> Self {
-        Self { pace, pacer: Pacer::new(pace, writer.facts.seal.speed.0), writer, whole: None }
+        let pacer = Pacer::new(pace, writer.facts.seal.speed.0);
+        Self { first: pacer, pacer, writer, whole: None }
     }
 
     fn step(&mut self, step: &Step) {
         // The clock of a whole program follows every step, for its progress. A contact begins with a pacer of its own: its
         // strokes are counted from the touch-down on.
-        let Facts { process, seal, .. } = self.writer.facts;
+        let Facts { process, .. } = self.writer.facts;
         match step {
             Step::Height(level) => {
                 if let Some(run) = &mut self.whole {
@@ -102,7 +104,9 @@ impl<'a> Job<'a> {
                 }
                 self.writer.height(height_of(process, *level));
             }
-            Step::Heat(_) => self.heat(),
+            Step::Heat(temperature) => self.heat(*temperature),
+            Step::Pause(next) => self.pause(*next),
+            Step::Cool(wait) => self.cool(*wait),
             Step::Travel(to) => {
                 if let Some(run) = &mut self.whole {
                     run.clock.travel(*to);
@@ -112,13 +116,17 @@ impl<'a> Job<'a> {
             Step::Seam(i) => {
                 // Every seam states its feed, so that a job can go on there.
                 self.writer.feed = None;
+                if let Some(whole) = &self.whole {
+                    self.first =
+                        whole.program.pacer(whole.program.seams.get(*i).map_or(0, |seam| seam.process));
+                }
                 if let Some(seam) = self.whole.as_ref().and_then(|whole| whole.program.seams.get(*i)) {
                     self.writer.comment(&seam_facts("seam", i + 1, seam));
                 }
             }
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 if matches!(step, Step::TouchDown(_)) {
-                    self.pacer = Pacer::new(self.pace, seal.speed.0);
+                    self.pacer = self.first;
                 }
                 for (piece, from, to) in ramp.with_heights() {
                     self.seal(piece, Some((from, to)));
@@ -133,14 +141,14 @@ impl<'a> Job<'a> {
         }
     }
 
-    fn heat(&mut self) {
-        let Facts { seal, controller, .. } = self.writer.facts;
-        let t = number(seal.temperature.0);
+    fn heat(&mut self, temperature: Temperature) {
+        let Facts { controller, .. } = self.writer.facts;
+        let t = number(temperature.0);
         self.writer.comment(&format!("heat: temperature_C={t}"));
         match controller.heating {
             Heating::Operator => {
                 // As many digits as a line has room for.
-                let t = Readable(seal.temperature.0);
+                let t = Readable(temperature.0);
                 let request = format!("set the iron to {t} C, standby off, wait until hot, press start");
                 self.writer.comment(&request);
                 if let Some(run) = &self.whole {
@@ -148,10 +156,32 @@ impl<'a> Job<'a> {
                 }
             }
             Heating::Hotend => {
-                let t = Decimals::exactly(1).text(seal.temperature.0);
-                self.writer.line(&format!("M109 S{t}"));
+                let t = Decimals::exactly(1).text(temperature.0);
+                // The nozzle may be hotter, from another process or from the program before.
+                let changes = self.whole.as_ref().is_some_and(|whole| whole.program.changes_temperature());
+                let letter = if changes { self.writer.spelling.exact_heat } else { 'S' };
+                self.writer.line(&format!("M109 {letter}{t}"));
             }
         }
+    }
+
+    /// A pause before the contact at place `next`.
+    fn pause(&mut self, next: usize) {
+        self.writer.comment(&format!("pause: before={}", next + 1));
+        self.writer.comment("look at the last seam, press start");
+        if let Some(run) = &self.whole {
+            self.writer.line(&run.machine.script.pause);
+        }
+    }
+
+    /// A wait for a seam to cool.
+    fn cool(&mut self, wait: Duration) {
+        if let Some(run) = &mut self.whole {
+            run.clock.wait(wait.0);
+        }
+        self.writer.comment(&format!("cool: time_s={}", number(wait.0)));
+        let unit = self.writer.facts.controller.dwell.unit;
+        self.writer.line(&self.writer.spelling.dwell(unit, wait.0));
     }
 
     /// One piece in contact, or on the way down or up, in as many strokes as the pace makes of it.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::reach::beyond;
 use crate::plan::refusals::contradictions;
-use crate::plan::{Height, Program, Purpose, Scope, Step};
+use crate::plan::{Height, Program, Purpose, Scope, SeamList, Step};
 use design::Refusals;
 use geom::{Arc, Line, Point, Segment};
 use spec::{Machine, Spec};
@@ -34,7 +34,7 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
     }
     let program = |way: Segment| {
         let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];
-        Program::new(spec, machine, SCOPE, steps, Vec::new())
+        Program::new(spec, machine, SCOPE, steps, SeamList::default())
     };
     ways.into_iter().map(|(name, way)| (name, program(way))).collect()
 }
@@ -47,7 +47,7 @@ fn line_to(x: f64, y: f64) -> Segment {
 /// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.
 pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();
-    let program = Program::new(spec, machine, SCOPE, steps, Vec::new());
+    let program = Program::new(spec, machine, SCOPE, steps, SeamList::default());
     let mut refusals = contradictions(spec, machine, programs);
     refusals.extend(beyond(machine, "the feed check", &program.steps, "a machine that reaches as far"));
     refusals.extend(clamps_in_the_way(spec, machine, &[], &[program]));

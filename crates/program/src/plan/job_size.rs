@@ -7,11 +7,10 @@ use crate::plan::lowest_feed::lowest_along;
 use crate::plan::moves::Cuts;
 use crate::plan::seal::batches;
 use crate::plan::{Pace, Program};
-use design::{Design, Refusal, RefusalCode};
+use design::{Design, PlacedPart, Refusal, RefusalCode, SealJob};
 use geom::Segment;
-use sealed::{PlacedPiece, laid_seams};
 use spec::units::Readable;
-use spec::{Machine, ProductKind, Spec, key};
+use spec::{Machine, ProductKind, SealProcess, Spec, key};
 
 /// Most moves in contact of all programs together: 40 times those of three large stars, chopped.
 const MOST_MOVES: f64 = 2e6;
@@ -35,8 +34,9 @@ pub fn too_many_moves(spec: &Spec, machine: &Machine, design: &Design) -> Option
 
 /// Moves in contact that the programs of `design` have: pieces, or the strokes of each.
 fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
-    let cuts = Cuts::of_seal(spec, machine);
-    let of_way = |way: &[(Segment, f64)]| -> f64 {
+    let of_way = |process: &SealProcess, way: &[(Segment, f64)]| -> f64 {
+        let spec = &spec.sealed_by(process);
+        let cuts = Cuts::of_seal(spec, machine);
         let pace = Pace::new(spec, machine, lowest_along(&machine.motion, way.iter().copied()));
         let of_segment = |(segment, rise): &(Segment, f64)| {
             let pieces = f64::from(cuts.count(segment));
@@ -49,15 +49,21 @@ fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
         way.iter().map(of_segment).sum()
     };
     let sheets = batches(design, spec.machine.program);
-    sheets.iter().map(|(_, pieces)| of_way(&contacts(machine, pieces))).sum()
+    let of_batch = |placed: &[&PlacedPart]| -> f64 {
+        let job = SealJob::new(spec, design, placed, machine.process.ramp.0);
+        let processes = job.processes.iter().zip(0..);
+        processes.map(|(process, index)| of_way(process, &contacts(machine, &job, index))).sum()
+    };
+    sheets.iter().map(|(_, placed)| of_batch(placed)).sum()
 }
 
-/// The segments in contact that seal `pieces`, each with the change of height along it.
-fn contacts(machine: &Machine, pieces: &[PlacedPiece<'_>]) -> Vec<(Segment, f64)> {
-    let heights = &machine.process.heights;
-    let rise = heights.travel.0 - heights.contact.0;
+/// The segments in contact of the process at place `process` of `job`, each with the change of height along it.
+fn contacts(machine: &Machine, job: &SealJob, process: usize) -> Vec<(Segment, f64)> {
+    let contact_height = job.processes[process].seal.contact(&machine.process);
+    let rise = machine.process.heights.travel.0 - contact_height.0;
     let mut contacts = Vec::new();
-    for seam in laid_seams(pieces, machine.process.ramp.0) {
+    for seam in job.contacts.iter().filter(|contact| contact.process == process).map(|contact| &contact.laid)
+    {
         for (path, rise) in [(&seam.lead_in, rise), (&seam.run, 0.0), (&seam.lead_out, rise)] {
             let flat = path.length();
             let contact = |segment: &Segment| (*segment, rise * segment.length() / flat);
@@ -110,7 +116,7 @@ mod tests {
 
     /// Strokes of a program as they are made, one by one.
     fn stroke_count(program: &Program, speed: f64) -> u32 {
-        let (mut pacer, mut count) = (Pacer::new(program.pace, speed), 0);
+        let (mut pacer, mut count) = (Pacer::new(program.pace(), speed), 0);
         for step in &program.steps {
             match step {
                 Step::TouchDown(ramp) | Step::Lift(ramp) => {

@@ -108,6 +108,8 @@ fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
             }
             Step::Height(_)
             | Step::Heat(_)
+            | Step::Pause(_)
+            | Step::Cool(_)
             | Step::Travel(_)
             | Step::Seam(_)
             | Step::TouchDown(_)

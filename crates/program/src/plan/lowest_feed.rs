@@ -2,6 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::plan::program::ProcessSteps;
+use crate::plan::refusals::of_process;
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use design::{Refusal, RefusalCode};
@@ -42,23 +44,42 @@ fn lowest_on(
     Some(worst)
 }
 
-pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
+/// A refusal for each process whose speed the controller does not hold.
+pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Vec<Refusal> {
+    let parts: Vec<ProcessSteps<'_>> = programs.iter().flat_map(Program::by_process).collect();
+    let mut names: Vec<&str> = Vec::new();
+    let mut refusals = Vec::new();
+    for process in parts.iter().map(|part| &part.paced.process) {
+        if names.contains(&process.name.as_str()) {
+            continue;
+        }
+        names.push(&process.name);
+        let own: Vec<&ProcessSteps<'_>> =
+            parts.iter().filter(|part| part.paced.process.name == process.name).collect();
+        let refusal = feed_floor_of(&spec.sealed_by(process), machine, &own);
+        refusals.extend(refusal.map(|refusal| of_process(spec, process, refusal)));
+    }
+    refusals
+}
+
+/// The refusal where the controller does not hold the speed of `spec` in the steps of one process.
+fn feed_floor_of(spec: &Spec, machine: &Machine, parts: &[&ProcessSteps<'_>]) -> Option<Refusal> {
     // The lowest speed that the machine holds in every program decides. Where a program is chopped, its strokes must be
     // possible instead. The remedy depends on what is too fast: only the ramps, or the seams, too.
     let speed = spec.seal.speed.0;
     let chops = spec.machine.feed_floor == FeedFloor::Chop;
     let (mut floor, mut flatness) = (0.0_f64, 0.0_f64);
-    for program in programs {
-        flatness = flatness.max(ramp_flatness(&program.steps));
-        if let Pace::Chopped(chop) = program.pace {
-            let refusal = too_fast_to_chop(spec, machine, &chop).or_else(|| slow_chop_feed(machine, program));
-            let refusal = refusal.or_else(|| long_rest(spec, machine, &chop, program));
+    for part in parts {
+        flatness = flatness.max(ramp_flatness(&part.steps));
+        if let Pace::Chopped(chop) = part.paced.pace {
+            let refusal = too_fast_to_chop(spec, machine, &chop).or_else(|| slow_chop_feed(machine, part));
+            let refusal = refusal.or_else(|| long_rest(spec, machine, &chop, part.paced.overdue));
             if refusal.is_some() {
                 return refusal;
             }
             continue;
         }
-        let Some(lowest) = lowest_of(&machine.motion, &program.steps) else {
+        let Some(lowest) = lowest_of(&machine.motion, part.steps.iter().copied()) else {
             return chops.then(|| cannot_chop(machine, speed));
         };
         floor = floor.max(lowest);
@@ -130,8 +151,8 @@ fn z_steps_needed(motion: &Motion, speed: f64, flatness: f64) -> Option<f64> {
 }
 
 /// The way along the flattest ramp of `steps`, by its rise; 0 without ramps.
-fn ramp_flatness(steps: &[Step]) -> f64 {
-    let climbs = contact(steps).filter(|(_, rise)| *rise != 0.0);
+fn ramp_flatness(steps: &[&Step]) -> f64 {
+    let climbs = contact(steps.iter().copied()).filter(|(_, rise)| *rise != 0.0);
     climbs.map(|(piece, rise)| libm::hypot(piece.length(), rise) / rise.abs()).fold(0.0, f64::max)
 }
 
@@ -201,11 +222,11 @@ fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
 
 /// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
 /// every stroke, where strokes are long because the axes speed up slowly.
-fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> Option<Refusal> {
-    if program.overdue <= 0.0 {
+fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, overdue: f64) -> Option<Refusal> {
+    if overdue <= 0.0 {
         return None;
     }
-    let (rest, overdue) = (chop.rest, program.overdue);
+    let rest = chop.rest;
     let (key, fault, remedy) = if chop.least > 0.0 {
         let (key, rounder) = match spec.product() {
             ProductKind::Stars => (key::star::CORNER_RADIUS, "make the arms longer, round tips and corners"),
@@ -238,9 +259,9 @@ fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> 
 }
 
 /// The profile's own `chop_feed` is one that the controller runs faster, on the ramps or in the plane.
-fn slow_chop_feed(machine: &Machine, program: &Program) -> Option<Refusal> {
+fn slow_chop_feed(machine: &Machine, part: &ProcessSteps<'_>) -> Option<Refusal> {
     let (motion, feed) = (&machine.motion, machine.motion.chop_feed?.0);
-    let lowest = contact(&program.steps).try_fold(0.0_f64, |most, (piece, rise)| {
+    let lowest = contact(part.steps.iter().copied()).try_fold(0.0_f64, |most, (piece, rise)| {
         Some(most.max(lowest_on(motion, piece, rise, Motion::lowest_stroke)?))
     })?;
     if feed >= lowest * (1.0 - 1e-9) {
@@ -283,7 +304,7 @@ fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
 }
 
 /// The lowest speed, mm/s, that `motion` holds in every contact of `steps`; `None` if it is unknown.
-pub(super) fn lowest_of(motion: &Motion, steps: &[Step]) -> Option<f64> {
+pub(super) fn lowest_of<'a>(motion: &Motion, steps: impl IntoIterator<Item = &'a Step>) -> Option<f64> {
     lowest_along(motion, contact(steps).map(|(piece, rise)| (*piece, rise)))
 }
 
@@ -293,8 +314,10 @@ pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segme
 }
 
 /// The pieces travelled below travel height, each with the change of height along it.
-pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
-    steps.iter().filter(|step| step.is_contact()).flat_map(|step| {
+pub(super) fn contact<'a>(
+    steps: impl IntoIterator<Item = &'a Step>,
+) -> impl Iterator<Item = (&'a Segment, f64)> {
+    steps.into_iter().filter(|step| step.is_contact()).flat_map(|step| {
         let (pieces, rise) = (step.pieces(), step.ramp().map_or(0.0, |ramp| ramp.to - ramp.from));
         let flat: f64 = pieces.iter().map(Segment::length).sum();
         pieces.iter().map(move |piece| (piece, rise * piece.length() / flat))

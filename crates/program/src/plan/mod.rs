@@ -32,7 +32,7 @@ pub use lowest_feed::{actual_speed, lowest_speed};
 pub use moves::{LONGEST_MOVE, moves};
 pub use pace::{Pace, Pacer, Stroke};
 pub use pressed::pressed_beyond;
-pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
+pub use program::{Height, PacedProcess, Program, Purpose, Ramp, SeamList, SeamReport, Step};
 pub use reach::beyond;
 pub use refusals::refusals;
 pub use seal::{seal_program, seal_programs};

@@ -5,16 +5,16 @@ use design::{Design, Refusal, RefusalCode};
 use geom::{Enclosures, Path, Point};
 use sealed::{PlacedPiece, laid_seams};
 use spec::units::Most;
-use spec::{Machine, ProgramScope, key};
+use spec::{Machine, ProgramScope, Spec, key};
 
 /// The reason for which a ramp of the profile seals more than half a band past an end of an open seam: it is below the top of the release
 /// layer there, within a cut. Past a mouth there is no fabric of the piece.
-pub fn pressed_beyond(machine: &Machine, design: &Design) -> Option<Refusal> {
+pub fn pressed_beyond(spec: &Spec, machine: &Machine, design: &Design) -> Option<Refusal> {
     let (ramp, heights) = (machine.process.ramp.0, machine.process.heights);
-    let (low, high) = (heights.contact.0, heights.travel.0);
+    let (low, high) = (lowest_contact(spec, machine, design), heights.travel.0);
     let excess = ramp * (-low).max(0.0) / (high - low);
-    batches(design, ProgramScope::Sheet).iter().find_map(|(_, pieces)| {
-        let (name, band, end) = sealed_beyond(pieces, excess)?;
+    batches(design, ProgramScope::Sheet).iter().find_map(|(_, placed)| {
+        let (name, band, end) = sealed_beyond(&design.pieces(placed), excess)?;
         let half = band / 2.0;
         let place = format!("X {:.3} Y {:.3} mm", end.x, end.y);
         Some(Refusal::new(
@@ -27,6 +27,14 @@ pub fn pressed_beyond(machine: &Machine, design: &Design) -> Option<Refusal> {
             ),
         ))
     })
+}
+
+/// The lowest height in contact of the processes of `design`, mm.
+fn lowest_contact(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
+    let parts = design.firsts().map(|placed| design.part(placed));
+    let processes = parts.flat_map(|part| part.seam_lines()).map(|seam| spec.process(&seam.process));
+    let heights = processes.map(|process| process.seal.contact(&machine.process).0);
+    heights.fold(f64::INFINITY, f64::min)
 }
 
 /// The first open seam of `pieces` past whose end `excess` mm reach more than half a band into a piece: its name, its band, and the end.

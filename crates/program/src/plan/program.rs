@@ -3,7 +3,8 @@
 use crate::plan::Pace;
 use geom::{Point, Segment};
 use sealed::{PieceName, SeamName};
-use spec::units::Temperature;
+use spec::SealProcess;
+use spec::units::{Duration, Temperature};
 
 /// The purpose of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,14 +26,41 @@ pub struct Program {
     pub pieces: Vec<PieceName>,
     /// The steps, in order.
     pub steps: Vec<Step>,
-    /// The seams it seals, in order; empty for a trace.
+    /// Its contacts, in order: a seam, or one line of a seam once; empty for a trace.
     pub seams: Vec<SeamReport>,
-    /// The way in which the seal's speed is reached.
-    pub pace: Pace,
+    /// The processes by which its seams are made, with their paces; at least one.
+    pub processes: Vec<PacedProcess>,
     /// Time of all steps without heating and pauses, s.
     pub time: f64,
+}
+
+/// A process of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PacedProcess {
+    /// Temperature, speed and everything else of it.
+    pub process: SealProcess,
+    /// The way in which its speed is reached.
+    pub pace: Pace,
     /// Largest time by which the iron is early after the longest rest that leaves no scar, s; 0 where it is on time.
     pub overdue: f64,
+}
+
+/// The contacts of a program on its way, and their processes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SeamList {
+    /// The contacts, in order.
+    pub seams: Vec<SeamReport>,
+    /// Their processes.
+    pub processes: Vec<SealProcess>,
+}
+
+/// The steps of a program that one of its processes makes.
+#[derive(Clone, Debug)]
+pub(super) struct ProcessSteps<'a> {
+    /// The process.
+    pub(super) paced: &'a PacedProcess,
+    /// Its steps.
+    pub(super) steps: Vec<&'a Step>,
 }
 
 /// One step. Heights and speeds are the machine's; positions are in the sheet's frame.
@@ -42,9 +70,13 @@ pub enum Step {
     Height(Height),
     /// Heating; the operator or the controller confirms it.
     Heat(Temperature),
+    /// A pause for the operator, who looks at the last seam: index of the next one.
+    Pause(usize),
+    /// A wait at travel height, for a seam to cool.
+    Cool(Duration),
     /// In a straight line, at the height where it is, clear of the fabric.
     Travel(Point),
-    /// A new seam begins: index into [`Program::seams`].
+    /// A new contact begins: index into [`Program::seams`].
     Seam(usize),
     /// Down to contact along the path.
     TouchDown(Ramp),
@@ -62,7 +94,12 @@ impl Step {
         match self {
             Self::TouchDown(ramp) | Self::Lift(ramp) => &ramp.pieces,
             Self::Seal(pieces) | Self::Trace(pieces) => pieces,
-            Self::Height(_) | Self::Heat(_) | Self::Travel(_) | Self::Seam(_) => &[],
+            Self::Height(_)
+            | Self::Heat(_)
+            | Self::Pause(_)
+            | Self::Cool(_)
+            | Self::Travel(_)
+            | Self::Seam(_) => &[],
         }
     }
 
@@ -72,6 +109,8 @@ impl Step {
             Self::TouchDown(ramp) | Self::Lift(ramp) => Some(ramp),
             Self::Height(_)
             | Self::Heat(_)
+            | Self::Pause(_)
+            | Self::Cool(_)
             | Self::Travel(_)
             | Self::Seam(_)
             | Self::Seal(_)
@@ -83,7 +122,13 @@ impl Step {
     pub fn is_contact(&self) -> bool {
         match self {
             Self::TouchDown(_) | Self::Seal(_) | Self::Lift(_) => true,
-            Self::Height(_) | Self::Heat(_) | Self::Travel(_) | Self::Seam(_) | Self::Trace(_) => false,
+            Self::Height(_)
+            | Self::Heat(_)
+            | Self::Pause(_)
+            | Self::Cool(_)
+            | Self::Travel(_)
+            | Self::Seam(_)
+            | Self::Trace(_) => false,
         }
     }
 
@@ -113,7 +158,7 @@ pub enum Height {
     Park,
 }
 
-/// Length and time of one seam.
+/// Length and time of one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeamReport {
     /// Name of the seam.
@@ -124,13 +169,56 @@ pub struct SeamReport {
     pub overlap: f64,
     /// Time in contact, ramps included, s.
     pub time: f64,
+    /// The place of its process in [`Program::processes`].
+    pub process: usize,
+    /// Number of its line of the band, from 1.
+    pub line: u32,
+    /// Number of its pass, from 1.
+    pub pass: u32,
 }
 
 impl Program {
+    /// The pace of its first process: of a program with one process, that of all seams.
+    pub fn pace(&self) -> Pace {
+        self.processes.first().map_or(Pace::Steady, |paced| paced.pace)
+    }
+
+    /// Whether every seam is sealed once, by the process of `[seal]`.
+    pub fn is_plain(&self) -> bool {
+        self.processes.iter().all(|paced| paced.process.is_plain())
+    }
+
+    /// Whether its seams are sealed at more than one temperature.
+    pub fn changes_temperature(&self) -> bool {
+        let temperatures = || self.processes.iter().map(|paced| paced.process.seal.temperature);
+        temperatures().any(|temperature| Some(temperature) != temperatures().next())
+    }
+
+    /// Its steps by process.
+    pub(super) fn by_process(&self) -> Vec<ProcessSteps<'_>> {
+        let steps = |(paced, index): (_, usize)| ProcessSteps {
+            paced,
+            steps: steps_of(&self.steps, &self.seams, index),
+        };
+        self.processes.iter().zip(0..).map(steps).collect()
+    }
+
     /// The numbers of its pieces that are numbered, such as stars.
     pub fn numbers(&self) -> Vec<usize> {
         self.pieces.iter().filter_map(PieceName::number).collect()
     }
+}
+
+/// Those of `steps` that make contacts of the process at place `process`, and those before the first contact.
+pub(super) fn steps_of<'s>(steps: &'s [Step], seams: &[SeamReport], process: usize) -> Vec<&'s Step> {
+    let mut current = process;
+    let of_process = |step: &&Step| {
+        if let Step::Seam(index) = step {
+            current = seams.get(*index).map_or(process, |seam| seam.process);
+        }
+        current == process
+    };
+    steps.iter().filter(of_process).collect()
 }
 
 impl Ramp {

@@ -43,7 +43,11 @@ fn with_ends(piece: &Segment, start: Point, end: Point) -> Segment {
 pub(super) fn too_steep(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
     let shortest_of = |program: &Program| {
         let ramps = program.steps.iter().filter_map(Step::ramp);
-        ramps.map(|ramp| least_move(ramp, program.pace)).fold(f64::INFINITY, f64::min)
+        // The longest strokes decide nothing here: those of any process are as short.
+        let paces = program.processes.iter().map(|paced| paced.pace);
+        let shortest_with =
+            |pace: Pace| ramps.clone().map(|ramp| least_move(ramp, pace)).fold(f64::INFINITY, f64::min);
+        paces.map(shortest_with).fold(f64::INFINITY, f64::min)
     };
     let (shortest_part, limit) =
         (programs.iter().map(shortest_of).fold(f64::INFINITY, f64::min), shortest(spec));

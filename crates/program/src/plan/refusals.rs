@@ -6,7 +6,8 @@ use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
 use crate::plan::ramps::too_steep;
 use design::{Refusal, RefusalCode, Refusals};
-use spec::{Machine, Spec, key};
+use spec::units::Speed;
+use spec::{Machine, SealProcess, Spec, key};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
@@ -15,10 +16,49 @@ pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Pro
         return refusal.into();
     }
     let mut refusals: Refusals = feed_floor(spec, machine, seals).into_iter().collect();
+    refusals.extend(deep_contacts(spec, machine, seals));
     refusals.extend(contradictions(spec, machine, seals));
     refusals.extend(too_steep(spec, machine, seals));
     refusals.extend(clamps_in_the_way(spec, machine, seals, traces));
     refusals
+}
+
+/// A refusal for each process that presses a tip without a spring into the bed.
+fn deep_contacts(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
+    let (lowest, mut names) = (machine.process.lowest_contact(), Vec::new());
+    let mut refusals = Refusals::new();
+    for process in programs.iter().flat_map(|program| &program.processes).map(|paced| &paced.process) {
+        let Some(height) = process.seal.height.filter(|height| *height < lowest) else { continue };
+        if names.contains(&&process.name) {
+            continue;
+        }
+        names.push(&process.name);
+        let key = if process.is_default() { key::seal::HEIGHT } else { key::process::HEIGHT };
+        let fault = format!(
+            "the height in contact is {height}, and the tip of the profile {} has no spring",
+            machine.name
+        );
+        let remedy = format!(
+            "must be at least {lowest}; or `spring_loaded = true` in the profile, if the tip has one"
+        );
+        refusals.push(of_process(spec, process, Refusal::new(key, RefusalCode::DeepContact, fault, remedy)));
+    }
+    refusals
+}
+
+/// `refusal` of a spec whose `[seal]` is `process`, as one of the process in `spec`.
+pub(super) fn of_process(spec: &Spec, process: &SealProcess, refusal: Refusal) -> Refusal {
+    let place = spec.processes.iter().position(|own| own.name == process.name);
+    let Some(place) = place else { return refusal };
+    let key = match refusal.key {
+        key::seal::SPEED => key::process::SPEED,
+        key => key,
+    };
+    Refusal {
+        key: key.of_process(place),
+        found: format!("process {}: {}", process.name, refusal.found),
+        ..refusal
+    }
 }
 
 /// A longer time without a move than any job has, s: a day.
@@ -31,9 +71,11 @@ pub(super) fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program
     let mut refuse = |found: String, remedy: String| {
         refusals.push(Refusal::new(key::machine::PROFILE, RefusalCode::ProfileLimit, found, remedy));
     };
-    if let Some(top) = limits.top_speed.filter(|top| top.0 < spec.seal.speed.0) {
+    let processes = programs.iter().flat_map(|program| &program.processes);
+    let fastest = processes.map(|paced| paced.process.seal.speed.0).fold(spec.seal.speed.0, f64::max);
+    if let Some(top) = limits.top_speed.filter(|top| top.0 < fastest) {
         refuse(
-            format!("`start` of the profile limits moves to {top}, the seal's speed is {}", spec.seal.speed),
+            format!("`start` of the profile limits moves to {top}, the seal's speed is {}", Speed(fastest)),
             "VELOCITY must be at least the seal's speed: change that line".to_owned(),
         );
     }

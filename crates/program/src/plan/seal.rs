@@ -1,69 +1,120 @@
-//! The sealing programs: piece after piece, seam after seam.
+//! The sealing programs: contact after contact of a job.
 
 use crate::plan::moves::Cuts;
+use crate::plan::program::SeamList;
 use crate::plan::ramps::without_crumbs;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
-use design::Design;
+use design::{Contact, Design, PlacedPart, SealJob};
 use geom::{Path, Point, Segment};
-use sealed::{LaidSeam, PlacedPiece, laid_seams};
 use spec::{Machine, ProgramScope, Spec};
 
 /// A sheet, and pieces on it in the order of sealing: the content of one program.
-pub(super) type Batch<'a> = (usize, Vec<PlacedPiece<'a>>);
+pub(super) type Batch<'a> = (usize, Vec<&'a PlacedPart>);
 
 /// The pieces of every program, by the spec's choice of one a star or one a sheet.
 pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
-        ProgramScope::Piece => {
-            design.placed().iter().map(|placed| (placed.sheet, design.pieces(&[placed]))).collect()
-        }
+        ProgramScope::Piece => design.placed().iter().map(|placed| (placed.sheet, vec![placed])).collect(),
         ProgramScope::Sheet => {
-            let pieces = |sheet: usize| design.pieces(&design.nearest_first(sheet));
-            design.sheets.iter().map(|sheet| (sheet.index, pieces(sheet.index))).collect()
+            let placed = |sheet: usize| design.nearest_first(sheet);
+            design.sheets.iter().map(|sheet| (sheet.index, placed(sheet.index))).collect()
         }
     }
 }
 
 /// All sealing programs of `design`.
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let program = |(sheet, pieces): Batch<'_>| {
-        let seams = laid_seams(&pieces, machine.process.ramp.0);
-        seal_program(spec, machine, scope(Purpose::Seal, sheet, &pieces), &seams)
+    let program = |(sheet, placed): Batch<'_>| {
+        let job = SealJob::new(spec, design, &placed, machine.process.ramp.0);
+        seal_program(spec, machine, scope(Purpose::Seal, sheet, &placed), &job)
     };
     batches(design, spec.machine.program).into_iter().map(program).collect()
 }
 
 /// The scope of a batch's program.
-pub(super) fn scope(purpose: Purpose, sheet: usize, pieces: &[PlacedPiece<'_>]) -> Scope {
-    Scope { purpose, sheet, pieces: pieces.iter().map(|piece| piece.name.clone()).collect() }
+pub(super) fn scope(purpose: Purpose, sheet: usize, placed: &[&PlacedPart]) -> Scope {
+    Scope { purpose, sheet, pieces: placed.iter().map(|placed| placed.name()).collect() }
 }
 
-/// The program that seals `seams_laid`, in their order.
-pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, seams_laid: &[LaidSeam]) -> Program {
-    let cuts = Cuts::of_seal(spec, machine);
-    let (high, low) = (machine.process.heights.travel.0, machine.process.heights.contact.0);
-    // A ramp is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
-    let ramp = |path: &Path, from: f64, to: f64| {
-        let pieces = without_crumbs(cuts.moves(path), spec);
-        Ramp { pieces, from, to }
-    };
-    let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
-    let mut seams = Vec::new();
-    for seam in seams_laid {
-        let (down, up) = (ramp(&seam.lead_in, high, low), ramp(&seam.lead_out, low, high));
-        let Some(start) = down.pieces.first().map(Segment::start) else { continue };
-        let length = seam.run.length();
-        let time = (down.length() + length + up.length()) / spec.seal.speed.0;
+/// The program that makes the contacts of `job`, in their order.
+///
+/// Before a contact of another temperature, or after which its seam asks for a pause, the iron goes up and home. A seam that cools does
+/// so with the iron at travel height above its end.
+pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob) -> Program {
+    let mut steps = vec![Step::Height(Height::Park)];
+    let mut list = SeamList { seams: Vec::new(), processes: job.processes.clone() };
+    let planner = ContactPlanner::all(spec, machine, job);
+    for (contact, i) in job.contacts.iter().zip(0..) {
+        let Some(contact_plan) = planner[contact.process].plan(contact) else { continue };
+        let stop = job.stop_before(i);
+        if i > 0 && (stop.pauses || stop.heat.is_some()) {
+            steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
+        }
+        if stop.pauses {
+            steps.push(Step::Pause(list.seams.len()));
+        }
+        steps.extend(stop.heat.map(Step::Heat));
         steps.extend([
-            Step::Travel(start),
+            Step::Travel(contact_plan.start),
             Step::Height(Height::Travel),
-            Step::Seam(seams.len()),
-            Step::TouchDown(down),
-            Step::Seal(cuts.moves(&seam.run)),
-            Step::Lift(up),
+            Step::Seam(list.seams.len()),
         ]);
-        seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });
+        steps.extend(contact_plan.steps);
+        steps.extend(job.cool_after(i).map(Step::Cool));
+        list.seams.push(contact_plan.report);
+    }
+    if list.seams.is_empty() {
+        steps.push(Step::Heat(spec.seal.temperature));
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
-    Program::new(spec, machine, scope, steps, seams)
+    Program::new(spec, machine, scope, steps, list)
+}
+
+/// The steps of one contact.
+struct ContactPlan {
+    start: Point,
+    steps: [Step; 3],
+    report: SeamReport,
+}
+
+/// Makes steps of the contacts of one process.
+struct ContactPlanner<'a> {
+    spec: &'a Spec,
+    cuts: Cuts,
+    speed: f64,
+    /// Heights of travel and of contact.
+    heights: [f64; 2],
+}
+
+impl<'a> ContactPlanner<'a> {
+    /// One planner for each process of `job`.
+    fn all(spec: &'a Spec, machine: &Machine, job: &SealJob) -> Vec<Self> {
+        let planner = |process: &spec::SealProcess| Self {
+            spec,
+            cuts: Cuts::of_seal(&spec.sealed_by(process), machine),
+            speed: process.seal.speed.0,
+            heights: [machine.process.heights.travel.0, process.seal.contact(&machine.process).0],
+        };
+        job.processes.iter().map(planner).collect()
+    }
+
+    /// The steps of `contact`; `None` if it has no way down.
+    fn plan(&self, contact: &Contact) -> Option<ContactPlan> {
+        let Contact { laid, process, line, pass } = contact;
+        let [high, low] = self.heights;
+        let (down, up) = (self.ramp(&laid.lead_in, high, low), self.ramp(&laid.lead_out, low, high));
+        let start = down.pieces.first().map(Segment::start)?;
+        let length = laid.run.length();
+        let time = (down.length() + length + up.length()) / self.speed;
+        let (name, overlap) = (laid.name.clone(), laid.overlap);
+        let report = SeamReport { name, length, overlap, time, process: *process, line: *line, pass: *pass };
+        let steps = [Step::TouchDown(down), Step::Seal(self.cuts.moves(&laid.run)), Step::Lift(up)];
+        Some(ContactPlan { start, steps, report })
+    }
+
+    /// A ramp is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
+    fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
+        let pieces = without_crumbs(self.cuts.moves(path), self.spec);
+        Ramp { pieces, from, to }
+    }
 }

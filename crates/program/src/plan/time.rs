@@ -4,12 +4,13 @@
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::plan::lowest_feed::lowest_of;
+use crate::plan::program::{PacedProcess, SeamList, steps_of};
 use crate::plan::travel::{Travel, TravelLimits};
 use crate::plan::written::{Precision, Written};
-use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
+use crate::plan::{Height, Pace, Pacer, Program, Purpose, Step};
 use geom::{Point, Segment};
 use sealed::PieceName;
-use spec::{Machine, Process, Spec};
+use spec::{Machine, Process, SealProcess, Spec};
 
 /// Follows a program step by step and adds up its time.
 #[derive(Clone, Debug)]
@@ -51,6 +52,12 @@ impl<'a> Clock<'a> {
         self.height = height;
     }
 
+    /// Adds a wait.
+    pub fn wait(&mut self, seconds: f64) {
+        self.last = None;
+        self.elapsed += seconds;
+    }
+
     fn go(&mut self, way: [f64; 3]) {
         let Machine { controller, process, motion, .. } = self.machine;
         let (speed, acceleration) = (process.travel_speed.0, motion.acceleration.map(|a| a.0));
@@ -81,59 +88,68 @@ pub struct Scope {
 }
 
 impl Program {
-    /// The program of these steps at the pace of `spec` on `machine`, with its time.
-    pub fn new(
-        spec: &Spec,
-        machine: &Machine,
-        scope: Scope,
-        steps: Vec<Step>,
-        seams: Vec<SeamReport>,
-    ) -> Self {
+    /// The program of these steps with the contacts of `list` on `machine`, with its paces and its time. A program without processes has
+    /// that of `[seal]`.
+    pub fn new(spec: &Spec, machine: &Machine, scope: Scope, steps: Vec<Step>, list: SeamList) -> Self {
         let Scope { purpose, sheet, pieces } = scope;
+        let SeamList { seams, processes } = list;
+        let processes = if processes.is_empty() { vec![spec.default_process()] } else { processes };
         let motion = &machine.motion;
-        let lowest = match purpose {
-            Purpose::Seal => lowest_of(motion, &steps),
-            // The feed check goes at the pace of any other program: that of the worst direction.
-            Purpose::Trace => motion.speed_range().map(|(_, most)| most),
+        let paced = |(process, index): (SealProcess, usize)| {
+            let lowest = match purpose {
+                Purpose::Seal => lowest_of(motion, steps_of(&steps, &seams, index)),
+                // The feed check goes at the pace of any other program: that of the worst direction.
+                Purpose::Trace => motion.speed_range().map(|(_, most)| most),
+            };
+            let pace = Pace::new(&spec.sealed_by(&process), machine, lowest);
+            PacedProcess { process, pace, overdue: 0.0 }
         };
-        let pace = Pace::new(spec, machine, lowest);
-        let (times, overdue) = times_of(&steps, pace, machine, spec);
-        let time = times.last().copied().unwrap_or(0.0);
-        Self { purpose, sheet, pieces, steps, seams, pace, time, overdue }
+        let processes: Vec<PacedProcess> = processes.into_iter().zip(0..).map(paced).collect();
+        let mut program = Self { purpose, sheet, pieces, steps, seams, processes, time: 0.0 };
+        let (times, overdue) = times_of(&program, spec, machine);
+        program.time = times.last().copied().unwrap_or(0.0);
+        for (paced, overdue) in program.processes.iter_mut().zip(overdue) {
+            paced.overdue = overdue;
+        }
+        program
     }
 
     /// The end of each of its steps, s from the beginning: one time a step, the last one is that of the whole program.
     pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
-        times_of(&self.steps, self.pace, machine, spec).0
+        times_of(self, spec, machine).0
+    }
+
+    /// The pacer of the process at place `process`, at the start of a contact.
+    pub fn pacer(&self, process: usize) -> Pacer {
+        let paced = &self.processes[process.min(self.processes.len() - 1)];
+        Pacer::new(paced.pace, paced.process.seal.speed.0)
     }
 }
 
-/// The end of each of `steps`, s, without heating and pauses; and the largest time by which the iron is early after a stop.
-fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<f64>, f64) {
-    let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
+/// The end of each step of `program`, s, without heating and pauses; and for each of its processes the largest time by which the iron is
+/// early after a stop.
+fn times_of(program: &Program, spec: &Spec, machine: &Machine) -> (Vec<f64>, Vec<f64>) {
+    let level = machine.process.heights.travel.0;
     let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };
     let mut clock = Clock::new(machine);
-    let mut pacer = Pacer::new(pace, speed);
-    let mut overdue = 0.0_f64;
-    let mut times = Vec::with_capacity(steps.len());
-    for step in steps {
+    let (mut process, mut pacer) = (0, program.pacer(0));
+    let mut overdue = vec![0.0_f64; program.processes.len()];
+    let mut times = Vec::with_capacity(program.steps.len());
+    for step in &program.steps {
         match step {
             Step::Height(level) => clock.height(*level),
             Step::Travel(to) => clock.travel(*to),
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
-                // Every contact has a schedule of its own.
-                if matches!(step, Step::TouchDown(_)) {
-                    overdue = overdue.max(pacer.overdue());
-                    pacer = Pacer::new(pace, speed);
-                }
                 for (piece, from, to) in ramp.with_heights() {
                     clock.add(piece.end(), Some(to), seal_time(&mut pacer, piece, Some((from, to))));
                 }
+                overdue[process] = overdue[process].max(pacer.overdue());
             }
             Step::Seal(pieces) => {
                 for piece in pieces {
                     clock.add(piece.end(), None, seal_time(&mut pacer, piece, None));
                 }
+                overdue[process] = overdue[process].max(pacer.overdue());
             }
             Step::Trace(pieces) => {
                 for piece in pieces {
@@ -142,11 +158,17 @@ fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<
                     clock.add(piece.end(), None, length / machine.process.trace_speed.0);
                 }
             }
-            Step::Heat(_) | Step::Seam(_) => {}
+            // Every contact has a schedule of its own.
+            Step::Seam(i) => {
+                process = program.seams.get(*i).map_or(0, |seam| seam.process);
+                pacer = program.pacer(process);
+            }
+            Step::Cool(wait) => clock.wait(wait.0),
+            Step::Heat(_) | Step::Pause(_) => {}
         }
         times.push(clock.elapsed);
     }
-    (times, overdue.max(pacer.overdue()))
+    (times, overdue)
 }
 
 /// Time for all strokes of `piece`, s.

@@ -2,7 +2,7 @@
 
 use crate::plan::moves::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
-use crate::plan::{Height, Program, Purpose, Step};
+use crate::plan::{Height, Program, Purpose, SeamList, Step};
 use design::Design;
 use geom::{Path, Point};
 use sealed::{frame, laid_seams};
@@ -10,10 +10,12 @@ use spec::{Machine, Spec};
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    batches(design, spec.machine.program).iter().map(|batch| trace_program(spec, machine, batch)).collect()
+    let batches = batches(design, spec.machine.program);
+    batches.iter().map(|batch| trace_program(spec, machine, design, batch)).collect()
 }
 
-fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) -> Program {
+fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed): &Batch<'_>) -> Program {
+    let pieces = &design.pieces(placed);
     let cuts = Cuts::of_trace(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
     let mut follow = |path: &Path| {
@@ -26,5 +28,5 @@ fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) ->
         follow(&seam.run);
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
-    Program::new(spec, machine, scope(Purpose::Trace, *sheet, pieces), steps, Vec::new())
+    Program::new(spec, machine, scope(Purpose::Trace, *sheet, placed), steps, SeamList::default())
 }

@@ -145,6 +145,15 @@ pub struct ManifestSeam {
     pub overlap_mm: f64,
     /// Time in contact, ramps included, s.
     pub time_s: f64,
+    /// Name of its process; absent for the one of `[seal]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub process: Option<String>,
+    /// Number of passes along every line; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<u32>,
+    /// Number of lines of its band; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lines: Option<u32>,
 }
 
 impl Tool {
@@ -240,4 +249,13 @@ pub struct SealedSeam {
     pub length_mm: f64,
     /// Time in contact, ramps included, s.
     pub time_s: f64,
+    /// Name of its process; absent for the one of `[seal]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub process: Option<String>,
+    /// Number of passes along every line; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<u32>,
+    /// Number of lines of its band; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lines: Option<u32>,
 }

@@ -37,6 +37,7 @@ codes! {
         MissingFile "missing-file" "A file of the build is not there.",
         MissingOverlap "missing-overlap" "A closed seam does not overlap itself as far as it should.",
         MissingSeam "missing-seam" "A seam of the design is not sealed.",
+        MissingWait "missing-wait" "The wait for a seam to cool is missing, or another one.",
         ModalConflict "modal-conflict" "One line holds words that exclude each other.",
         ModeUnset "mode-unset" "A mode is needed before it is set.",
         MoreFindings "more-findings" "There are more findings of this file than are listed.",

@@ -19,7 +19,7 @@ pub use judge::files::proof::{FileProof, Method, Proof, prove};
 pub use judge::iron::judge_iron;
 pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
-pub use judge::rules::{IronRules, Phase};
+pub use judge::rules::{ContactCount, ContactRule, IronRules, Phase};
 pub use judge::stroke::stroke_seconds;
 pub use judge::task::ProgramTask;
 pub use read::drawing::Drawing;

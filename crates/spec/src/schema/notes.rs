@@ -35,7 +35,9 @@ impl Notes {
             // Indented text is an example inside a sentence.
             let code = if bare.starts_with(' ') { "" } else { code };
             if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
-                name.clone_into(&mut section);
+                // A section with a name of the user's: its keys are those of all such sections.
+                let kind = if name.starts_with("process.") { "process" } else { name };
+                kind.clone_into(&mut section);
                 words_above.push(words);
                 let section_words = words_above.join(" ").trim().to_owned();
                 let _ = notes.sections.insert(section.clone(), section_words);

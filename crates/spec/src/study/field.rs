@@ -55,8 +55,11 @@ impl Field {
             || ProductKind::ALL
                 .iter()
                 .any(|(section, product)| *product != ProductKind::Stars && *section == key.section());
+        // A process has a name of the user's, which no key of a study has.
+        let is_of_process = key.section() == key::process::SPEED.section();
         (key != key::root::SCHEMA
             && !is_of_another_product
+            && !is_of_process
             && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
         .then(|| Self { key, shape: shape.clone() })
     }
@@ -169,6 +172,7 @@ fn value_of(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape
         ValueShape::Or(shape, _) => return value_of(section, key, shape),
         ValueShape::Sections
         | ValueShape::Lists(_)
+        | ValueShape::NamedLists
         | ValueShape::Quantities(..)
         | ValueShape::Texts
         | ValueShape::Choices(_) => None,
@@ -228,6 +232,7 @@ mod tests {
     /// A value that every shape takes.
     fn example(shape: &ValueShape) -> String {
         match shape {
+            ValueShape::Quantity(kind, allowed) if !allowed.contains(0.5) => format!("-0.5 {}", kind.unit()),
             ValueShape::Quantity(kind, _) => format!("0.5 {}", kind.unit()),
             ValueShape::Area(_) => "220 mm x 210 mm".to_owned(),
             ValueShape::Number(_) => "0.25".to_owned(),
@@ -238,6 +243,7 @@ mod tests {
             ValueShape::Text
             | ValueShape::Texts
             | ValueShape::Lists(_)
+            | ValueShape::NamedLists
             | ValueShape::Quantities(..)
             | ValueShape::Choices(_)
             | ValueShape::Sections => "x".to_owned(),
@@ -269,6 +275,16 @@ mod tests {
             "drawing.passage",
             "drawing.flange",
             "drawing.layers",
+            "drawing.process",
+            "process.temperature",
+            "process.speed",
+            "process.height",
+            "process.passes",
+            "process.lines",
+            "process.overlap",
+            "process.cool",
+            "process.pause",
+            "process.strength",
             "mask.kind",
             "sheet.copies",
             "press.temperature",

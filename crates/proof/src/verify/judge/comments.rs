@@ -24,19 +24,25 @@ pub(super) struct CommentJudge<'a> {
     /// The comments of [`KEYS`] read: as many as a program can have, and one more.
     found: Vec<Comment>,
     most: usize,
-    chopped: bool,
+    /// Whether strokes were seen of each process of the job.
+    chopped: Vec<bool>,
+    /// Number of contacts that were announced, and whether a wait for a seam to cool was.
+    contacts: usize,
+    cools: bool,
 }
 
 impl<'a> CommentJudge<'a> {
     pub(super) fn new(task: &'a ProgramTask<'a>) -> Self {
         // A comment that is longer than a line goes on in a second one.
-        let limit = 2 * expected_comments(task, true).len() + 1;
-        Self { task, found: Vec::new(), most: limit, chopped: false }
+        let chopped = vec![true; task.job.processes.len()];
+        let limit = 2 * expected_comments(task, &chopped).len() + 1;
+        let chopped = vec![false; task.job.processes.len()];
+        Self { task, found: Vec::new(), most: limit, chopped, contacts: 0, cools: false }
     }
 
     /// Compares all comments with those of the design.
     fn compare(&self, findings: &mut Findings) {
-        let mut expected = expected_comments(self.task, self.chopped).into_iter();
+        let mut expected = expected_comments(self.task, &self.chopped).into_iter();
         let mut comments = self.found.iter().peekable();
         while let Some(comment) = comments.next() {
             let next = expected.next();
@@ -61,10 +67,19 @@ impl<'a> CommentJudge<'a> {
 
 impl Judge for CommentJudge<'_> {
     fn dwell(&mut self, _: &Dwell, _: &mut Findings) {
-        self.chopped = true;
+        if std::mem::take(&mut self.cools) {
+            return;
+        }
+        let contact = self.contacts.checked_sub(1).and_then(|last| self.task.job.contacts.get(last));
+        let process = contact.map_or(0, |contact| contact.process);
+        if let Some(chopped) = self.chopped.get_mut(process) {
+            *chopped = true;
+        }
     }
 
     fn comment(&mut self, comment: &Comment, _: &mut Findings) {
+        self.contacts += usize::from(comment.key() == Some("seam"));
+        self.cools = comment.key() == Some("cool");
         let is_fact = comment.key().is_some_and(|key| KEYS.contains(&key));
         if self.found.len() < self.most && (is_fact || comment.text.starts_with(OPERATOR)) {
             self.found.push(comment.clone());

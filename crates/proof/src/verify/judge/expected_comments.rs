@@ -6,13 +6,13 @@
 use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::ProgramTask;
 use sealed::LaidSeam;
-use spec::{DwellUnit, Heating, StepRate};
+use spec::{DwellUnit, Heating, Seal, SealProcess, StepRate};
 
 /// The beginning of the operator's instruction, who has no other source.
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 12] = [
+pub(super) const KEYS: [&str; 16] = [
     "program",
     "seal",
     "machine",
@@ -24,25 +24,52 @@ pub(super) const KEYS: [&str; 12] = [
     "chop-steps",
     "chop-ticks",
     "chop-moves",
+    "process",
+    "sealing",
     "seam",
+    "pause",
+    "cool",
 ];
 
-/// The comments with one of [`KEYS`] or for the operator, in the order of the file. `chopped`: whether the program consists of strokes and dwells.
-pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: bool) -> Vec<String> {
+/// The comments with one of [`KEYS`] or for the operator, in the order of the file. `chopped`: whether each process of the job consists of
+/// strokes and dwells.
+pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: &[bool]) -> Vec<String> {
     let purpose = if task.hot { "seal" } else { "trace" };
     let mut comments = vec![format!("program: purpose={purpose} {}", task.scope)];
     if task.hot {
         job(task, &mut comments);
-        if chopped {
-            strokes(task, &mut comments);
+        let mut processes = task.job.processes.iter().zip(chopped);
+        if let Some((process, _)) = processes.find(|(_, is_chopped)| **is_chopped) {
+            strokes(task, &process.seal, &mut comments);
         }
-        if task.machine.controller.heating == Heating::Operator {
-            let t = task.spec.seal.temperature.0;
-            comments.push(format!("{OPERATOR}{t} C, standby off, wait until hot, press start"));
+        if !task.job.is_plain() {
+            processes_and_contacts(task, chopped, &mut comments);
         }
-        seams(task, &mut comments);
+        contacts(task, &mut comments);
     }
     comments
+}
+
+/// Every process, a fact a comment, and the process of every contact.
+fn processes_and_contacts(task: &ProgramTask<'_>, chopped: &[bool], comments: &mut Vec<String>) {
+    let ProgramTask { machine, ref job, .. } = *task;
+    for (SealProcess { name, seal, .. }, is_chopped) in job.processes.iter().zip(chopped) {
+        let (height, cool) = (seal.contact(&machine.process).0, seal.cool.0);
+        let mut facts = vec![
+            format!("temperature_C={}", seal.temperature.0),
+            format!("speed_mm_s={}", seal.speed.0),
+            format!("contact_mm={height}"),
+            format!("cool_s={cool}"),
+        ];
+        if let Some((speed, longest)) = stroke_limits(task, seal).filter(|_| *is_chopped) {
+            facts.extend([format!("feed_mm_min={}", speed * 60.0), format!("longest_mm={longest}")]);
+        }
+        comments.extend(facts.iter().map(|fact| format!("process: process={name} {fact}")));
+    }
+    comments.extend(job.contacts.iter().zip(1..).map(|(contact, i)| {
+        let (process, line, pass) = (&job.process(contact).name, contact.line, contact.pass);
+        format!("sealing: seam={i} process={process} line={line} pass={pass}")
+    }));
 }
 
 /// The seal and the machine.
@@ -70,19 +97,26 @@ fn job(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     comments.push(format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
 }
 
-/// The comment on the strokes, and the settings on which their timing relies.
-fn strokes(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
-    let ProgramTask { spec, machine, .. } = *task;
-    let (motion, seal) = (&machine.motion, &spec.seal);
-    let (Some(speed), Some(a)) = (motion.chop_speed(seal.speed.0), motion.acceleration.map(|a| a.0)) else {
-        return;
-    };
-    let step = machine.controller.dwell.step.0;
-    let delay = motion.start_delay.0;
+/// Speed, mm/s, and largest length, mm, of the strokes of `seal`; `None` where too little is known of the machine.
+fn stroke_limits(task: &ProgramTask<'_>, seal: &Seal) -> Option<(f64, f64)> {
+    let motion = &task.machine.motion;
+    let (speed, a) = (motion.chop_speed(seal.speed.0)?, motion.acceleration?.0);
+    let (step, delay) = (task.machine.controller.dwell.step.0, motion.start_delay.0);
     let shortest_stroke = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
     let shortest = shortest_move(motion);
     let count = if shortest > 0.0 { 15.0 } else { 13.0 };
-    let longest = shortest_stroke.max(seal.band.0 / count).max(shortest);
+    Some((speed, shortest_stroke.max(seal.band.0 / count).max(shortest)))
+}
+
+/// The comment on the strokes of `seal`, and the settings on which their timing relies.
+fn strokes(task: &ProgramTask<'_>, seal: &Seal, comments: &mut Vec<String>) {
+    let motion = &task.machine.motion;
+    let (Some((speed, longest)), Some(a)) = (stroke_limits(task, seal), motion.acceleration.map(|a| a.0))
+    else {
+        return;
+    };
+    let step = task.machine.controller.dwell.step.0;
+    let delay = motion.start_delay.0;
     comments.push(format!("chop: feed_mm_min={} longest_mm={longest}", speed * 60.0));
     comments.push(format!("chop-rest: acceleration_mm_s2={a} step_s={step}"));
     comments.push(format!("chop-start: delay_s={delay}"));
@@ -98,16 +132,26 @@ fn strokes(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     }
 }
 
-/// Each seam with its name, its length in contact, mm, and its time with both ramps, s.
-fn seams(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
-    let ProgramTask { spec, machine, ref seams, .. } = *task;
-    let heights = &machine.process.heights;
-    let rise = heights.travel.0 - heights.contact.0;
-    let words = |(i, seam): (usize, &LaidSeam)| {
-        let length = seam.run.length();
-        let ramps = libm::hypot(seam.lead_in.length(), rise) + libm::hypot(seam.lead_out.length(), rise);
-        let time = (length + ramps) / spec.seal.speed.0;
-        format!("seam: seam={i} {} length_mm={length} time_s={time}", seam.name.facts())
-    };
-    comments.extend((1..).zip(seams).map(words));
+/// Each contact with the name of its seam, its length, mm, and its time with both ramps, s; before it the stop of the iron, and after it
+/// the wait for it to cool.
+fn contacts(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
+    let ProgramTask { machine, ref job, .. } = *task;
+    let by_operator = machine.controller.heating == Heating::Operator;
+    for (contact, index) in job.contacts.iter().zip(0..) {
+        let (i, stop, seal) = (index + 1, job.stop_before(index), &job.process(contact).seal);
+        if stop.pauses {
+            comments.push(format!("pause: before={i}"));
+        }
+        if let Some(heat) = stop.heat.filter(|_| by_operator) {
+            comments.push(format!("{OPERATOR}{} C, standby off, wait until hot, press start", heat.0));
+        }
+        let LaidSeam { name, lead_in, run, lead_out, .. } = &contact.laid;
+        let rise = machine.process.heights.travel.0 - seal.contact(&machine.process).0;
+        let ramps = libm::hypot(lead_in.length(), rise) + libm::hypot(lead_out.length(), rise);
+        let (length, time) = (run.length(), (run.length() + ramps) / seal.speed.0);
+        comments.push(format!("seam: seam={i} {} length_mm={length} time_s={time}", name.facts()));
+        if let Some(cool) = job.cool_after(index) {
+            comments.push(format!("cool: time_s={}", cool.0));
+        }
+    }
 }

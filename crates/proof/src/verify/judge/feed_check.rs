@@ -2,7 +2,7 @@
 
 use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::height::HeightJudge;
-use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::Traced;
 use crate::verify::judge::stroke::stroke_seconds;
@@ -10,6 +10,7 @@ use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{FindingCode, Findings};
+use design::SealJob;
 use geom::{Bounds, Isometry, Path, Point};
 use sealed::{LaidSeam, PieceName, Seam};
 use spec::{Machine, Spec};
@@ -32,7 +33,7 @@ impl FeedCheckTask<'_> {
     /// Reads the program and reports everything that it does otherwise; its largest deviation, mm.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Self { spec, machine, ref lines } = *self;
-        let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
+        let (rules, tolerance) = (IronRules::new(spec, machine, &SealJob::default()), spec.accuracy.path.0);
         let (name, origin) = (PieceName::Named("line".to_owned()), Isometry::IDENTITY);
         let seam = |line: &Path| LaidSeam::new(&name, &Seam::weld(line.clone()), origin, 0.0);
         let seams = lines.iter().skip(1).map(seam);
@@ -46,13 +47,14 @@ impl FeedCheckTask<'_> {
             hot: false,
             scope: String::new(),
             seams: seams.collect(),
+            job: SealJob::default(),
             frame: lines.first().cloned().unwrap_or_default(),
             area,
         };
         let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
         let judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, 2 * lines.len())),
-            Box::new(Body::new(None)),
+            Box::new(Body::new(Vec::new())),
             Box::new(HeightJudge::new(&machine.process.heights, area)),
             Box::new(Timed::new(&rules, area, times)),
             Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),
@@ -98,7 +100,7 @@ impl<'a> Timed<'a> {
 impl Judge for Timed<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         let waited = std::mem::take(&mut self.waited);
-        if self.rules.phase(step) != Phase::Clear {
+        if !self.rules.is_clear(step) {
             let fault = format!("Z{}", step.to.z);
             findings.add_at(FindingCode::LowTrace, step.line, fault, "travel height or above");
         }
@@ -117,7 +119,7 @@ impl Judge for Timed<'_> {
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
         self.seconds += match step.feed {
-            Some(feed) if chopped && feed > 60.0 * self.rules.seal.speed.0 * (1.0 + TIME) => {
+            Some(feed) if chopped && feed > 60.0 * self.rules.default.seal.speed.0 * (1.0 + TIME) => {
                 stroke_seconds(self.rules.motion, from, to, feed / 60.0)
             }
             Some(feed) => 60.0 * step.length() / feed,

@@ -2,13 +2,16 @@
 
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::pace::Paced;
-use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::rules::{ContactCount, ContactRule, IronRules, Phase};
 use crate::verify::judge::script::Body;
 use crate::verify::judge::{HEIGHT, Judge, judged};
-use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Move, MoveKind, Pause};
+use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{Finding, FindingCode, Findings};
 use geom::Bounds;
 use spec::units::Speed;
+
+/// Largest difference of waits that are as long, beside the step of a dwell, s: a program may state a millisecond less.
+const COOL: f64 = 2e-3;
 
 /// Everything in a sealing program, given line by line, that breaks the rules, whatever its seams: the iron stays within
 /// `area`, `hotend` tells whether the program heats it.
@@ -20,7 +23,7 @@ pub fn judge_iron<'a>(
     dialect: Dialect,
 ) -> Vec<Finding> {
     let mut judges: Vec<Box<dyn Judge + '_>> = vec![
-        Box::new(Body::new(hotend.then_some(rules.seal.temperature))),
+        Box::new(Body::new(if hotend { rules.heats() } else { Vec::new() })),
         Box::new(HeightJudge::new(&rules.process.heights, *area)),
     ];
     judges.extend(iron(rules));
@@ -33,21 +36,24 @@ pub fn judge_iron<'a>(
 pub(super) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
     [
         Box::new(TravelFeed(rules.process.travel_speed)),
-        Box::new(IronJudge(rules)),
+        Box::new(IronJudge { rules, count: ContactCount::default() }),
         Box::new(Paced::new(rules)),
-        Box::new(IronRest { rules, here: None, waited: 0.0 }),
+        Box::new(IronRest::new(rules)),
     ]
 }
 
 /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
-struct IronJudge<'a>(&'a IronRules<'a>);
+struct IronJudge<'a> {
+    rules: &'a IronRules<'a>,
+    count: ContactCount,
+}
 
 impl Judge for IronJudge<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
-        if self.0.phase(step) == Phase::Clear {
+        let (phase, ContactRule { seal, height: contact, .. }) = self.rules.follow(&mut self.count, step);
+        if phase == Phase::Clear {
             return;
         }
-        let (seal, contact) = (self.0.seal, self.0.process.heights.contact.0);
         let mut blame = |code: FindingCode, found: String, allowed: String| {
             findings.add_at(code, step.line, found, allowed);
         };
@@ -73,24 +79,61 @@ impl Judge for IronJudge<'_> {
     }
 }
 
-/// On the fabric the iron never waits for long, and away from it never at all.
+/// On the fabric the iron never waits for long, and away from it only for a seam to cool.
 struct IronRest<'a> {
     rules: &'a IronRules<'a>,
+    count: ContactCount,
     /// Line of the last move, if that touched the fabric or left it, and the time waited since, s. However many waits it
     /// takes, the iron rests in one place; the last stroke of a seam ends, and has its wait, at travel height.
     here: Option<usize>,
     waited: f64,
+    /// Height of the last move's end, mm.
+    height: f64,
+    /// Line of the comment that announces a wait for a seam to cool.
+    cooling: Option<usize>,
+}
+
+impl<'a> IronRest<'a> {
+    fn new(rules: &'a IronRules<'a>) -> Self {
+        Self { rules, count: ContactCount::default(), here: None, waited: 0.0, height: 0.0, cooling: None }
+    }
+
+    /// Reports a wait that was announced and is not there.
+    fn end_cooling(&mut self, findings: &mut Findings) {
+        if let Some(line) = self.cooling.take() {
+            let allowed = format!("a wait of {} s at travel height", self.rules.rule(&self.count).cool);
+            findings.add_at(FindingCode::MissingWait, line, "no wait for the seam to cool", allowed);
+        }
+    }
 }
 
 impl Judge for IronRest<'_> {
-    fn step(&mut self, step: &Move, _: &mut Findings) {
-        let low = self.rules.phase(step) != Phase::Clear;
-        (self.here, self.waited) = (low.then_some(step.line), 0.0);
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        self.end_cooling(findings);
+        let (phase, _) = self.rules.follow(&mut self.count, step);
+        (self.here, self.waited) = ((phase != Phase::Clear).then_some(step.line), 0.0);
+        self.height = step.to.z;
+    }
+
+    fn comment(&mut self, comment: &Comment, _: &mut Findings) {
+        if comment.key() == Some("cool") {
+            self.cooling = Some(comment.line);
+        }
     }
 
     fn dwell(&mut self, dwell: &Dwell, findings: &mut Findings) {
+        let rule = self.rules.rule(&self.count);
+        if self.cooling.take().is_some() {
+            let is_high = self.height >= self.rules.process.heights.travel.0 - HEIGHT;
+            if !is_high || (dwell.seconds - rule.cool).abs() > self.rules.dwell_step + COOL {
+                let allowed = format!("a wait of {} s at travel height", rule.cool);
+                let fault = format!("a wait of {} s at Z{}", dwell.seconds, self.height);
+                findings.add_at(FindingCode::MissingWait, dwell.line, fault, allowed);
+            }
+            return;
+        }
         self.waited += dwell.seconds;
-        let (waited, longest) = (self.waited, self.rules.longest_rest());
+        let (waited, longest) = (self.waited, rule.longest_rest(self.rules.motion));
         let Some(line_of_rest) = self.here else {
             let fault = format!("{} s away from the fabric", dwell.seconds);
             findings.add_at(FindingCode::IronAtRest, dwell.line, fault, "waits between strokes only");
@@ -113,6 +156,10 @@ impl Judge for IronRest<'_> {
             findings.add_at(FindingCode::IronAtRest, pause.line, fault, allowed);
         }
     }
+
+    fn end(&mut self, findings: &mut Findings) {
+        self.end_cooling(findings);
+    }
 }
 
 /// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
@@ -120,7 +167,7 @@ pub(super) struct Cold<'a>(pub(super) &'a IronRules<'a>);
 
 impl Judge for Cold<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
-        if self.0.phase(step) != Phase::Clear {
+        if !self.0.is_clear(step) {
             let fault = format!("Z{}", step.to.z);
             findings.add_at(FindingCode::LowTrace, step.line, fault, "travel height or above");
         }

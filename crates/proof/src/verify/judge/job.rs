@@ -7,7 +7,7 @@ use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
-use crate::verify::judge::seams::{Sealed, Traced, starts};
+use crate::verify::judge::seams::{Sealed, Traced, legs};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel_order::TravelOrder;
 use crate::verify::judge::{Judge, judged};
@@ -17,17 +17,30 @@ use geom::Bounds;
 use spec::Heating;
 
 impl ProgramTask<'_> {
+    /// The number of pauses: one for each heating by the operator, and one wherever a seam asks for it.
+    fn pauses(&self) -> usize {
+        if !self.hot {
+            return 0;
+        }
+        let by_operator = self.machine.controller.heating == Heating::Operator;
+        let of_stop = |i| {
+            let stop = self.job.stop_before(i);
+            usize::from(stop.pauses) + usize::from(by_operator && stop.heat.is_some())
+        };
+        (0..self.job.contacts.len()).map(of_stop).sum()
+    }
+
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Self { spec, machine, hot, area, .. } = *self;
-        let (rules, heights) = (IronRules::new(spec, machine), &machine.process.heights);
+        let (rules, heights) = (IronRules::new(spec, machine, &self.job), &machine.process.heights);
         let tolerance = spec.accuracy.path.0;
         let heated_by = |heating| hot && machine.controller.heating == heating;
         let allowed = area.grown(tolerance);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
-            Box::new(ScriptJudge::new(machine, usize::from(heated_by(Heating::Operator)))),
-            Box::new(Body::new(heated_by(Heating::Hotend).then_some(spec.seal.temperature))),
+            Box::new(ScriptJudge::new(machine, self.pauses())),
+            Box::new(Body::new(if heated_by(Heating::Hotend) { rules.heats() } else { Vec::new() })),
             Box::new(FirstWords),
             Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),
@@ -40,7 +53,7 @@ impl ProgramTask<'_> {
             judges.push(Box::new(Cold(&rules)));
         }
         judges.push(Box::new(CommentJudge::new(self)));
-        judges.push(Box::new(TravelOrder::new(heights, starts(self), hot, tolerance)));
+        judges.push(Box::new(TravelOrder::new(heights, legs(self), hot, tolerance)));
         judges.push(if hot { Box::new(Sealed::new(self, &rules)) } else { Box::new(Traced::new(self)) });
         judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
     }

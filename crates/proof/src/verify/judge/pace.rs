@@ -5,9 +5,9 @@
 //! by more than 0.2 % and a dwell's step, nor a stroke on its own. Where the controller joins short moves, no dwell follows one.
 
 use crate::verify::judge::Judge;
-use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::rules::{ContactCount, ContactRule, IronRules, Phase};
 use crate::verify::judge::stroke::{StrokeRun, shortest_move, step_seconds};
-use crate::verify::read::gcode::{Dwell, Move, MoveKind};
+use crate::verify::read::gcode::{Comment, Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use geom::Segment;
 
@@ -31,6 +31,9 @@ struct Schedule {
 /// Reports every move below travel height that is too fast or too slow.
 pub(super) struct Paced<'a> {
     rules: &'a IronRules<'a>,
+    count: ContactCount,
+    /// The rules of the contact.
+    rule: &'a ContactRule,
     schedule: Schedule,
     /// The move that is judged with the waits after it, and those so far, s.
     pending: Option<(Move, f64)>,
@@ -38,7 +41,8 @@ pub(super) struct Paced<'a> {
 
 impl<'a> Paced<'a> {
     pub(super) fn new(rules: &'a IronRules<'a>) -> Self {
-        Self { rules, schedule: Schedule::default(), pending: None }
+        let (count, rule) = (ContactCount::default(), &rules.default);
+        Self { rules, count, rule, schedule: Schedule::default(), pending: None }
     }
 
     fn judge_pending(&mut self, findings: &mut Findings) {
@@ -49,7 +53,7 @@ impl<'a> Paced<'a> {
 
     /// One move in contact, and the wait after it.
     fn judge(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
-        let speed = self.rules.seal.speed.0;
+        let speed = self.rule.seal.speed.0;
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
             findings.add_at(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
             return;
@@ -115,7 +119,7 @@ impl<'a> Paced<'a> {
 
     /// The longest stroke, mm: a tenth of the band, or the length that leaves time for the shortest dwell.
     fn longest(&self, feed: f64) -> f64 {
-        let IronRules { seal, dwell_step, .. } = self.rules;
+        let (seal, dwell_step) = (&self.rule.seal, self.rules.dwell_step);
         let shortest_time = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let length = if spared > 0.0 { shortest_time / spared } else { 0.0 };
@@ -140,7 +144,7 @@ impl<'a> Paced<'a> {
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
     /// has `stopped`, a run may be late by what it takes to start and to stop, and by a step.
     fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
-        let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
+        let (speed, feed) = (self.rule.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
         let error = spent - due;
         let quantum = self.rules.dwell_step;
@@ -162,12 +166,21 @@ impl<'a> Paced<'a> {
 impl Judge for Paced<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         self.judge_pending(findings);
-        if self.rules.phase(step) == Phase::Clear {
+        let phase;
+        (phase, self.rule) = self.rules.follow(&mut self.count, step);
+        if phase == Phase::Clear {
             self.schedule = Schedule::default();
         } else if step.kind == MoveKind::Feed {
             self.pending = Some((*step, 0.0));
         }
         // A rapid there is reported with the heat: there is no feed to judge.
+    }
+
+    /// The wait for a seam to cool is none of its last stroke.
+    fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
+        if comment.key() == Some("cool") {
+            self.judge_pending(findings);
+        }
     }
 
     fn dwell(&mut self, dwell: &Dwell, _: &mut Findings) {

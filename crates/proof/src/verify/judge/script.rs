@@ -115,12 +115,13 @@ impl<'a> WantedLine<'a> {
     }
 }
 
-/// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there, once, and off
+/// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there as planned, and off
 /// before and after. Without one, nothing heats.
 pub(super) struct Body {
-    /// The temperature of a hotend.
-    heat: Option<Temperature>,
-    heated: bool,
+    /// The temperatures of a hotend, in order; empty without one.
+    heats: Vec<Temperature>,
+    /// Number of heatings so far.
+    heated: usize,
     moved: bool,
     /// Lines since the last motion: they belong to the body if another motion follows.
     pending: Vec<PendingLine>,
@@ -135,9 +136,9 @@ struct PendingLine {
 }
 
 impl Body {
-    /// The judge of a program that heats a hotend to `heat`, or none.
-    pub(super) fn new(heat: Option<Temperature>) -> Self {
-        Self { heat, heated: false, moved: false, pending: Vec::new() }
+    /// The judge of a program that heats a hotend to `heats`, one after the other.
+    pub(super) fn new(heats: Vec<Temperature>) -> Self {
+        Self { heats, heated: 0, moved: false, pending: Vec::new() }
     }
 
     fn judge(&mut self, pending: &PendingLine, is_within: bool, findings: &mut Findings) {
@@ -145,7 +146,8 @@ impl Body {
             (None, is_within) => !is_within,
             (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,
             (Some(heat), true) => {
-                let temperature = self.heat.filter(|_| !std::mem::replace(&mut self.heated, true));
+                let temperature = self.heats.get(self.heated);
+                self.heated += 1;
                 heat.waits
                     && temperature.is_some_and(|temperature| (temperature.0 - heat.celsius).abs() <= SAME)
             }
@@ -153,14 +155,22 @@ impl Body {
         if right {
             return;
         }
-        let (code, allowed) = match (&pending.heat, self.heat) {
+        let heats: Vec<String> = self.heats.iter().map(ToString::to_string).collect();
+        let (code, allowed) = match (&pending.heat, heats.as_slice()) {
             (None, _) => {
                 (FindingCode::ProfileLine, "modes and settings before the first motion only".to_owned())
             }
-            (_, Some(heat)) => {
+            (_, []) => (FindingCode::StrayHeat, "no heating".to_owned()),
+            (_, [heat]) => {
                 (FindingCode::StrayHeat, format!("one heating to {heat}, and off in the profile's lines"))
             }
-            (_, None) => (FindingCode::StrayHeat, "no heating".to_owned()),
+            (_, heats) => {
+                let heats = heats.join(", ");
+                (
+                    FindingCode::StrayHeat,
+                    format!("heating to {heats} in this order, and off in the profile's lines"),
+                )
+            }
         };
         findings.add_at(code, pending.line, pending.text.clone(), allowed);
     }

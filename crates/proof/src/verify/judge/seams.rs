@@ -2,21 +2,29 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::path::follow::Follower;
-use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::rules::{ContactCount, IronRules, Phase};
 use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::travel_order::Leg;
 use crate::verify::read::gcode::{Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
-use geom::{Path, Point};
+use design::Contact;
+use geom::Path;
 use sealed::LaidSeam;
 
-/// The starts of the ways of a program, in order; a trace shows the frame first.
-pub(super) fn starts(task: &ProgramTask<'_>) -> Vec<Point> {
-    let seams = task.seams.iter();
-    if task.hot {
-        seams.filter_map(|seam| seam.lead_in.start()).collect()
-    } else {
-        task.frame.start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
+/// The ways of a program with the stops before them, in order; a trace shows the frame first.
+pub(super) fn legs(task: &ProgramTask<'_>) -> Vec<Leg> {
+    if !task.hot {
+        let starts =
+            task.frame.start().into_iter().chain(task.seams.iter().filter_map(|seam| seam.run.start()));
+        return starts.map(|start| Leg { start, stop: Vec::new(), cools: false }).collect();
     }
+    let leg = |(contact, i): (&Contact, usize)| {
+        let stop = task.job.stop_before(i);
+        let (pause, heat) = (stop.pauses.then_some("pause"), stop.heat.map(|_| "heat"));
+        let stop = pause.into_iter().chain(heat).collect();
+        Some(Leg { start: contact.laid.lead_in.start()?, stop, cools: task.job.cool_after(i).is_some() })
+    };
+    task.job.contacts.iter().zip(0..).filter_map(leg).collect()
 }
 
 fn walk(seam: &LaidSeam) -> SeamWalk {
@@ -35,7 +43,8 @@ pub(super) struct Sealed<'a> {
     rules: &'a IronRules<'a>,
     tolerance: f64,
     /// The seams that are still to come.
-    expected: std::slice::Iter<'a, LaidSeam>,
+    expected: std::slice::Iter<'a, Contact>,
+    count: ContactCount,
     now: Option<SeamContact>,
     /// The largest, mm.
     deviation: f64,
@@ -52,7 +61,8 @@ enum SeamContact {
 impl<'a> Sealed<'a> {
     pub(super) fn new(task: &'a ProgramTask<'_>, rules: &'a IronRules<'a>) -> Self {
         let tolerance = task.spec.accuracy.path.0;
-        Self { rules, tolerance, expected: task.seams.iter(), now: None, deviation: 0.0 }
+        let (expected, count) = (task.job.contacts.iter(), ContactCount::default());
+        Self { rules, tolerance, expected, count, now: None, deviation: 0.0 }
     }
 
     /// The end of a contact.
@@ -75,14 +85,14 @@ impl<'a> Sealed<'a> {
 
 impl Judge for Sealed<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
-        let phase = self.rules.phase(step);
+        let (phase, _) = self.rules.follow(&mut self.count, step);
         if phase == Phase::Clear {
             self.lift(findings);
             return;
         }
         let expected = &mut self.expected;
         let current = self.now.get_or_insert_with(|| match expected.next() {
-            Some(seam) => SeamContact::Seam(Box::new(walks(seam))),
+            Some(contact) => SeamContact::Seam(Box::new(walks(&contact.laid))),
             None => SeamContact::Extra(None),
         });
         match current {
@@ -101,8 +111,8 @@ impl Judge for Sealed<'_> {
 
     fn end(&mut self, findings: &mut Findings) {
         self.lift(findings);
-        for seam in self.expected.by_ref() {
-            let fault = format!("no {}", seam.name);
+        for contact in self.expected.by_ref() {
+            let fault = format!("no {}", contact.laid.name);
             findings.add(FindingCode::MissingSeam, fault, "every seam of the design");
         }
     }

@@ -1,6 +1,6 @@
 //! The task of one program: its seams, their places, and their names in its comments.
 
-use design::{Design, PlacedPart};
+use design::{Design, PlacedPart, SealJob};
 use geom::{Bounds, Path, Point};
 use sealed::{LaidSeam, PieceName, frame, laid_seams, scope};
 use spec::{Machine, Spec};
@@ -16,8 +16,10 @@ pub struct ProgramTask<'a> {
     pub hot: bool,
     /// Scope of the program, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
     pub scope: String,
-    /// The seams, in the order of sealing.
+    /// The seams along their centre lines, in the order of the pieces: what a trace shows.
     pub seams: Vec<LaidSeam>,
+    /// The contacts, in the order of sealing.
+    pub job: SealJob,
     /// The rectangle that a trace shows first.
     pub frame: Path,
     /// The work area of the iron.
@@ -51,6 +53,7 @@ impl<'a> ProgramTask<'a> {
             scope: format!("sheet={sheet} {}", scope(&names)),
             frame: frame(&pieces, &seams),
             seams,
+            job: SealJob::new(spec, design, &placed, machine.process.ramp.0),
             area: Bounds { min: Point::ORIGIN, max: reach },
         })
     }

@@ -2,7 +2,7 @@
 //!
 //! Every rapid goes to a **waypoint**: up to the park height, above the beginning of a seam, down to travel height, and in
 //! the end home. A contact, or a path that is traced, is a waypoint too, and so are the comments that announce the heat and
-//! each seam: `resume` takes up a seam by them.
+//! each seam: `resume` takes up a seam by them. Before a stop the iron goes up and home.
 
 use crate::verify::judge::{HEIGHT, Judge};
 use crate::verify::read::gcode::{BlindMove, Comment, Move, MoveKind};
@@ -21,6 +21,17 @@ enum Waypoint {
     Path,
 }
 
+/// A path, and the stop before it.
+#[derive(Clone, Debug)]
+pub(super) struct Leg {
+    /// The place where the iron goes down.
+    pub(super) start: Point,
+    /// The keys of the comments at the stop before it; empty without a stop.
+    pub(super) stop: Vec<&'static str>,
+    /// Whether a wait follows it.
+    pub(super) cools: bool,
+}
+
 /// Reports every rapid to another place, and every announcement in another place.
 pub(super) struct TravelOrder {
     waypoints: Vec<Waypoint>,
@@ -33,20 +44,24 @@ pub(super) struct TravelOrder {
 }
 
 impl TravelOrder {
-    /// The way to paths that begin at `starts`, with a heating before it and an announcement of each if `hot`.
+    /// The way along `legs`, with an announcement of each if `hot`.
     pub(super) fn new(
         heights: &Heights,
-        starts: impl IntoIterator<Item = Point>,
+        legs: impl IntoIterator<Item = Leg>,
         hot: bool,
         tolerance: f64,
     ) -> Self {
         let (park, travel) = (heights.park.0, heights.travel.0);
+        let home = |x| Waypoint::Rapid([x, x, Some(park)]);
         let mut position = [None, None, Some(park)];
         let mut waypoints = vec![Waypoint::Rapid(position)];
-        if hot {
-            waypoints.push(Waypoint::Comment("heat"));
-        }
-        for start in starts {
+        for (Leg { start, stop, cools }, i) in legs.into_iter().zip(0..) {
+            if i > 0 && !stop.is_empty() {
+                // The end of the last path is checked by the path's judge.
+                waypoints.extend([home(None), home(Some(0.0))]);
+                position[2] = Some(park);
+            }
+            waypoints.extend(stop.into_iter().map(Waypoint::Comment));
             position = [Some(start.x), Some(start.y), position[2]];
             waypoints.push(Waypoint::Rapid(position));
             position[2] = Some(travel);
@@ -55,9 +70,10 @@ impl TravelOrder {
                 waypoints.push(Waypoint::Comment("seam"));
             }
             waypoints.push(Waypoint::Path);
+            if cools {
+                waypoints.push(Waypoint::Comment("cool"));
+            }
         }
-        let home = |x| Waypoint::Rapid([x, x, Some(park)]);
-        // The end of the last path is checked by the path's judge.
         waypoints.extend([home(None), home(Some(0.0))]);
         Self { waypoints, passed: 0, tolerance, on_path: false }
     }
@@ -124,7 +140,9 @@ impl Judge for TravelOrder {
     }
 
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if let Some(key) = ["heat", "seam"].into_iter().find(|key| comment.key() == Some(*key)) {
+        if let Some(key) =
+            ["heat", "seam", "pause", "cool"].into_iter().find(|key| comment.key() == Some(*key))
+        {
             self.pass(&Waypoint::Comment(key), comment.line, findings);
         }
     }
@@ -173,7 +191,12 @@ mod tests {
     /// Code and line (of the way, from 0) of each finding in it.
     fn findings_of(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
-        let judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
+        let judge = TravelOrder::new(
+            &heights,
+            [Leg { start: Point::new(10.0, 20.0), stop: vec!["heat"], cools: false }],
+            true,
+            1e-3,
+        );
         let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));
         let mut findings = Findings::default();
         let lines = text.split_inclusive('\n');

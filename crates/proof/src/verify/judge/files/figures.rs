@@ -6,8 +6,8 @@ use crate::manifest::{MANIFEST, Manifest};
 use crate::verify::finding::quote;
 use crate::verify::judge::expected::Expected;
 use crate::verify::{Finding, FindingCode};
-use design::StarAssembly;
-use sealed::Seam;
+use design::{FlatPiece, StarAssembly};
+use spec::Spec;
 
 /// Reports every value in the text of the manifest `manifest` that differs from `right`, whose list of files is not compared.
 pub(super) fn check(text: &[u8], manifest: &Manifest, right: &Manifest) -> Vec<Finding> {
@@ -65,8 +65,9 @@ fn value_text(value: Option<&Value>) -> String {
 pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     for placed in expected.design.placed() {
-        let (name, seams) = (placed.name(), &expected.design.part(placed).shape().seams);
-        let seam_mm: f64 = seams.iter().map(|seam| made_length(expected, seam)).sum();
+        let part = expected.design.part(placed);
+        let (name, seams) = (placed.name(), &part.shape().seams);
+        let seam_mm = part.way_in_contact(expected.spec);
         // Older versions wrote no pieces.
         if let Some(piece) = manifest.pieces.iter().find(|piece| piece.name == name.word()) {
             let length: f64 = piece.seams.iter().map(|seam| seam.length_mm).sum();
@@ -81,7 +82,7 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
         }
     }
     if let Some(assembly) = expected.design.assembly() {
-        findings.extend(against_assembly(expected, assembly, manifest));
+        findings.extend(against_assembly(expected.spec, assembly, manifest));
     }
     findings
 }
@@ -95,11 +96,10 @@ fn made_length(expected: &Expected<'_>, seam: &Seam) -> f64 {
 ///
 /// Each star is found by its number and must have its seams' length, its sheet and its clear radius. Posts and plates are
 /// counted, since the manifest lists equal ones together.
-fn against_assembly(expected: &Expected<'_>, design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
+fn against_assembly(spec: &Spec, design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     for placed in &design.stars {
-        let seam_mm: f64 =
-            design.part(placed).shape.seams.iter().map(|seam| made_length(expected, seam)).sum();
+        let seam_mm = FlatPiece::Star(design.part(placed)).way_in_contact(spec);
         match manifest.stars.iter().find(|star| star.index == placed.index) {
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
                 let clear = design.part(placed).clear_radius();

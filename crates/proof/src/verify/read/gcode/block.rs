@@ -43,7 +43,7 @@ impl Block {
                 return Err(Finding::new(FindingCode::RepeatedWord, name(), "each letter once a line"));
             }
         }
-        self.check()
+        self.check(dialect)
     }
 
     /// This block is the command alone, whatever words of its own follow it.
@@ -72,7 +72,7 @@ impl Block {
     ///
     /// A dwell and the commands that stand alone exclude others; a letter needs a command that reads it; then values are
     /// checked. The first fault is returned: a line with one fault is not executed.
-    fn check(&self) -> Result<(), Finding> {
+    fn check(&self, dialect: &Dialect) -> Result<(), Finding> {
         let dwell = self.has_command(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {
             return Err(Finding::new(CONFLICT, "a dwell with axis words", "P alone"));
@@ -82,7 +82,11 @@ impl Block {
                 return Err(Finding::new(CONFLICT, format!("{command:?} beside other words"), "it alone"));
             }
             let heats = matches!(command, Command::HeatAndWait | Command::HeatOnly);
-            if heats && !self.value(b'S').is_some_and(|s| s >= 0.0) {
+            let by_r = self.value(b'R').filter(|_| *command == Command::HeatAndWait);
+            if by_r.is_some() && (!dialect.vocabulary.waits_by_r || self.value(b'S').is_some()) {
+                return Err(Finding::new(FindingCode::UnusedWord, "R with a heater", "S alone"));
+            }
+            if heats && !self.value(b'S').or(by_r).is_some_and(|celsius| celsius >= 0.0) {
                 return Err(Finding::new(FindingCode::BadNumber, "heat without a temperature", "S, >= 0"));
             }
         } else if self.value(b'P').is_some() != dwell {

@@ -63,8 +63,13 @@ impl Machine {
             self.modes.set(*command);
             let waits = *command == Command::HeatAndWait;
             if waits || *command == Command::HeatOnly {
-                let celsius = block.value(b'S').unwrap_or(0.0);
-                self.waited_for_celsius = Some(celsius).filter(|t| waits && *t > 0.0);
+                let by_r = block.value(b'R').filter(|_| waits);
+                let celsius = block.value(b'S').or(by_r).unwrap_or(0.0);
+                // With S some controllers do not wait for a heater that is too hot.
+                let may_be_hotter = by_r.is_none()
+                    && context.dialect.vocabulary.waits_by_r
+                    && self.waited_for_celsius.is_some_and(|hot| hot > celsius + 0.5);
+                self.waited_for_celsius = Some(celsius).filter(|t| waits && !may_be_hotter && *t > 0.0);
                 context.out.push(Event::Heat(Heat { line, celsius, waits }));
             }
         }

@@ -1,0 +1,390 @@
+//! How seams are made: `[seal]`, and the processes that differ from it.
+//!
+//! A **process** is the setting with which one seam is made. `[seal]` is the process of every seam that names no other;
+//! `[process.NAME]` is another one, and takes from `[seal]` what it leaves out.
+
+use crate::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
+use crate::fault::{Fault, quoted};
+use crate::profile::CONTACT;
+use crate::raw::RawSpec;
+use crate::release_layer::check_ptfe;
+use crate::section::{Reader, Section};
+use crate::units::{Duration, Length, LineForce, Speed, Temperature};
+use crate::unknown::nearest;
+use crate::value::RawValue;
+use crate::{Fabric, FaultCode, Process, Spec};
+use std::ops::Range;
+
+/// The name of the process that `[seal]` is.
+pub const DEFAULT_PROCESS: &str = "seal";
+
+/// Longest name of a process, letters: it stands in comments of programs.
+const NAME_LENGTH: usize = 20;
+/// Most passes of a seam, and most lines of a band.
+const MOST: u32 = 20;
+/// Longest wait after a seam, s.
+const LONGEST_WAIT: f64 = 3600.0;
+/// Section of the processes.
+const SECTION: &str = "process";
+/// Peel strengths, N/mm.
+pub(super) const STRENGTHS: Allowed = Allowed::closed(1e-6, 1e4);
+
+/// Path, temperature and speed of a seal: `[seal]`, or a process with what it takes from `[seal]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seal {
+    /// Temperature of the iron.
+    pub temperature: Temperature,
+    /// Speed of the iron in contact.
+    pub speed: Speed,
+    /// Width w of the band.
+    pub band: Length,
+    /// Path covered twice at contact height where a loop closes, ramps excluded.
+    pub overlap: Length,
+    /// Flap outside the star.
+    pub allowance: Length,
+    /// Flap on the hole side.
+    pub hole_allowance: Length,
+    /// Height in contact; `None`: that of the machine's profile.
+    pub height: Option<Length>,
+    /// Number of times that every line is sealed before the next seam.
+    pub passes: u32,
+    /// Number of parallel lines of a band; `None`: as many as it takes.
+    pub lines: Option<u32>,
+    /// Width of the tool's contact; `None`: that of the band.
+    pub tip: Option<Length>,
+    /// Wait at travel height after every seam.
+    pub cool: Duration,
+    /// The place of a pause after a seam.
+    pub pause: SealPause,
+}
+
+/// Pauses of a job beside those for heating.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SealPause {
+    /// None.
+    #[default]
+    Never,
+    /// Before the next seam.
+    Seam,
+    /// Before the next seam of another piece.
+    Piece,
+}
+
+impl SealPause {
+    /// All of them, with the words that specs write.
+    pub const ALL: [(&'static str, Self); 3] =
+        [("none", Self::Never), ("seam", Self::Seam), ("piece", Self::Piece)];
+}
+
+impl Seal {
+    /// Height of the tip in contact on a machine that leads the iron as `process` states.
+    pub fn contact(&self, process: &Process) -> Length {
+        self.height.unwrap_or(process.heights.contact)
+    }
+
+    /// Width of the tool's contact.
+    pub fn tip_width(&self) -> Length {
+        self.tip.unwrap_or(self.band)
+    }
+
+    /// Number of parallel lines of a band: those of the spec, or the fewest that leave no gap.
+    pub fn line_count(&self) -> u32 {
+        self.lines.unwrap_or_else(|| self.fewest_lines())
+    }
+
+    /// The fewest lines that seal the whole band.
+    fn fewest_lines(&self) -> u32 {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked with the tip")]
+        let count = (self.band.0 / self.tip_width().0 - 1e-9).ceil().clamp(1.0, 1e6) as u32;
+        count
+    }
+
+    /// Distances of the lines from the centre line of the band, mm, from its right side to its left: spaced evenly, so that the outer
+    /// ones end where the band ends.
+    pub fn line_offsets(&self) -> Vec<f64> {
+        let (count, reach) = (self.line_count(), self.band.0 - self.tip_width().0);
+        let spacing = reach / f64::from(count.saturating_sub(1).max(1));
+        if count < 2 {
+            return vec![0.0];
+        }
+        (0..count).map(|i| f64::from(i) * spacing - reach / 2.0).collect()
+    }
+}
+
+/// A named process as it is written: what it leaves out is that of `[seal]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProcessSpec {
+    /// Name of the process.
+    pub name: String,
+    /// Temperature of the iron.
+    pub temperature: Option<Temperature>,
+    /// Speed of the iron in contact.
+    pub speed: Option<Speed>,
+    /// Height in contact.
+    pub height: Option<Length>,
+    /// Passes of every line.
+    pub passes: Option<u32>,
+    /// Lines of a band.
+    pub lines: Option<u32>,
+    /// Path covered twice.
+    pub overlap: Option<Length>,
+    /// Wait after every seam.
+    pub cool: Option<Duration>,
+    /// Pause after a seam.
+    pub pause: Option<SealPause>,
+    /// Peel strength of such seams.
+    pub strength: Option<LineForce>,
+}
+
+/// A process with all of its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SealProcess {
+    /// Name of the process.
+    pub name: String,
+    /// How its seams are made.
+    pub seal: Seal,
+    /// Peel strength of its seams; `None` if unknown.
+    pub strength: Option<LineForce>,
+}
+
+impl SealProcess {
+    /// Whether it is the process that `[seal]` is.
+    pub fn is_default(&self) -> bool {
+        self.name == DEFAULT_PROCESS
+    }
+
+    /// Whether it is that of `[seal]`, seals every seam once along its centre line, and goes on without a wait or a pause.
+    pub fn is_plain(&self) -> bool {
+        let Seal { passes, cool, pause, .. } = &self.seal;
+        let is_once = *passes == 1 && self.seal.line_count() == 1;
+        self.is_default() && is_once && cool.0 == 0.0 && *pause == SealPause::Never
+    }
+}
+
+impl Spec {
+    /// The process that `[seal]` is.
+    pub fn default_process(&self) -> SealProcess {
+        let (seal, strength) = (self.seal.clone(), self.fabric.seal_strength);
+        SealProcess { name: DEFAULT_PROCESS.to_owned(), seal, strength }
+    }
+
+    /// The process called `name`; that of `[seal]` where no other has the name.
+    pub fn process(&self, name: &str) -> SealProcess {
+        let default = self.default_process();
+        let Some(own) = self.processes.iter().find(|process| process.name == name) else { return default };
+        let base = default.seal;
+        SealProcess {
+            name: own.name.clone(),
+            strength: own.strength.or(default.strength),
+            seal: Seal {
+                temperature: own.temperature.unwrap_or(base.temperature),
+                speed: own.speed.unwrap_or(base.speed),
+                overlap: own.overlap.unwrap_or(base.overlap),
+                height: own.height.or(base.height),
+                passes: own.passes.unwrap_or(base.passes),
+                lines: own.lines.or(base.lines),
+                cool: own.cool.unwrap_or(base.cool),
+                pause: own.pause.unwrap_or(base.pause),
+                ..base
+            },
+        }
+    }
+
+    /// The spec with `process` in the place of `[seal]`: every seam is made by it.
+    #[must_use]
+    pub fn sealed_by(&self, process: &SealProcess) -> Self {
+        let fabric = Fabric { seal_strength: process.strength, ..self.fabric.clone() };
+        Self { seal: process.seal.clone(), fabric, ..self.clone() }
+    }
+}
+
+/// `[seal]`, and the peel strength that it states.
+pub(super) fn read_seal(s: &mut Section<'_, '_>) -> (Seal, Option<LineForce>) {
+    let seal = Seal {
+        temperature: read_temperature(s).unwrap_or(Temperature(200.0)),
+        speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
+        band: s.length("band", SIZE, 2.0),
+        overlap: s.length("overlap", EXTRA, 5.0),
+        allowance: s.length("allowance", EXTRA, 8.0),
+        hole_allowance: s.length("hole_allowance", EXTRA, 1.0),
+        height: s.quantity("height", CONTACT),
+        passes: s.count("passes", 1, MOST).unwrap_or(1),
+        lines: s.count("lines", 1, MOST),
+        tip: s.quantity("tip", SIZE),
+        cool: s.quantity("cool", Allowed::closed(0.0, LONGEST_WAIT)).unwrap_or(Duration(0.0)),
+        pause: s.choice("pause", &SealPause::ALL).unwrap_or_default(),
+    };
+    let strength = s.quantity("strength", STRENGTHS);
+    check_tip(s, &seal);
+    check_lines(s, &seal);
+    (seal, strength)
+}
+
+/// The strength of seams of `[seal]`: that of `[fabric]`, or that of `[seal]`, but not both.
+pub(super) fn read_strength(
+    reader: &mut Reader<'_>,
+    of_fabric: Option<LineForce>,
+    of_seal: Option<LineForce>,
+) -> Option<LineForce> {
+    if of_fabric.is_some() && of_seal.is_some() {
+        let place = reader.raw.span_of(crate::key::seal::STRENGTH);
+        let fault = Fault::error(
+            FaultCode::Conflict,
+            place,
+            "`strength` in [seal] beside `seal_strength` in [fabric]",
+        );
+        reader.faults.push(fault.label("both are the strength of the same seams").help("delete one of them"));
+    }
+    of_fabric.or(of_seal)
+}
+
+/// The processes, in the order of the alphabet. A process with a wrong name is reported and left out.
+pub(super) fn read_processes(reader: &mut Reader<'_>, seal: &Seal) -> Vec<ProcessSpec> {
+    let Some(table) = reader.free(SECTION).and_then(RawValue::as_table) else {
+        // Registers the keys, even where the spec has no process.
+        let _ = read_process(&mut reader.absent(SECTION), "", seal);
+        return Vec::new();
+    };
+    let mut processes = Vec::new();
+    for entry in &table.0 {
+        let mut section = reader.element(SECTION, &entry.value);
+        let process = read_process(&mut section, &entry.key, seal);
+        match wrong_name(&entry.key) {
+            Some(label) => {
+                let message = format!("a process is called {}", quoted(&entry.key));
+                let fault = Fault::error(FaultCode::Name, entry.key_span.clone(), message).label(label);
+                section.report(fault);
+            }
+            None => processes.push(process),
+        }
+    }
+    processes
+}
+
+/// The reason for which `name` is none of a process.
+fn wrong_name(name: &str) -> Option<String> {
+    if name == DEFAULT_PROCESS {
+        return Some("[seal] is the process of this name: write the keys there".to_owned());
+    }
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.len() <= NAME_LENGTH
+        && name.chars().all(is_plain);
+    (!is_name)
+        .then(|| format!("must be a letter, then letters, digits, - and _, at most {NAME_LENGTH} in all"))
+}
+
+/// A `[process.NAME]` beside `seal`.
+fn read_process(s: &mut Section<'_, '_>, name: &str, seal: &Seal) -> ProcessSpec {
+    let process = ProcessSpec {
+        name: name.to_owned(),
+        temperature: read_temperature(s),
+        speed: s.quantity("speed", SEAL_SPEEDS),
+        height: s.quantity("height", CONTACT),
+        passes: s.count("passes", 1, MOST),
+        lines: s.count("lines", 1, MOST),
+        overlap: s.quantity("overlap", EXTRA),
+        cool: s.quantity("cool", Allowed::closed(0.0, LONGEST_WAIT)),
+        pause: s.choice("pause", &SealPause::ALL),
+        strength: s.quantity("strength", STRENGTHS),
+    };
+    if process.lines.is_some() {
+        check_lines(s, &Seal { lines: process.lines, ..seal.clone() });
+    }
+    process
+}
+
+/// The temperature, which the release layer must bear.
+fn read_temperature(s: &mut Section<'_, '_>) -> Option<Temperature> {
+    let temperature = s.quantity("temperature", Allowed::half_open(0.0, 400.0))?;
+    check_ptfe(s, temperature);
+    Some(temperature)
+}
+
+/// A tip seals no wider than the band, and a band takes no more lines than a seam may have.
+fn check_tip(s: &mut Section<'_, '_>, seal: &Seal) {
+    let Some(tip) = seal.tip else { return };
+    if tip.0 > seal.band.0 {
+        let message = format!("`tip` is {tip}, wider than the band of {}", seal.band);
+        let fault = Fault::error(FaultCode::Conflict, s.place_of("tip"), message)
+            .label("every line would leave the band")
+            .help(format!("write a band of at least {tip}, or take a narrower tip"));
+        s.report(fault);
+    } else if seal.fewest_lines() > MOST {
+        let message = format!("`tip` is {tip}, a band of {} takes {} lines", seal.band, seal.fewest_lines());
+        s.refuse(FaultCode::Conflict, "tip", message, format!("at most {MOST} lines are sealed"));
+    }
+}
+
+/// The lines of a band fill it, and more than one need a tip that is narrower than the band.
+fn check_lines(s: &mut Section<'_, '_>, seal: &Seal) {
+    let (Some(lines), tip) = (seal.lines, seal.tip_width()) else { return };
+    if tip.0 > seal.band.0 {
+        return;
+    }
+    let message = format!("`lines` is {lines}, with a tip of {tip} and a band of {}", seal.band);
+    let fault = Fault::error(FaultCode::Conflict, s.place_of("lines"), message);
+    if lines < seal.fewest_lines() {
+        let fault = fault.label("part of the band would stay open");
+        s.report(fault.help(format!("write lines = {}, or delete it", seal.fewest_lines())));
+    } else if lines > 1 && tip.0 > seal.band.0 - 1e-3 {
+        let fault = fault.label("a tip as wide as the band seals it with one line");
+        s.report(
+            fault
+                .help("write `tip` in [seal], the width of the tool's contact; or `passes` to seal it again"),
+        );
+    }
+}
+
+/// A use of a process: the name, and its span.
+struct ProcessUse<'r> {
+    name: &'r str,
+    span: Range<usize>,
+}
+
+/// Every use of a process in the text: loops of stars, and the keys of `[drawing.process]`.
+fn process_uses(raw: &RawSpec) -> Vec<ProcessUse<'_>> {
+    let star = raw.root().get("star").and_then(RawValue::as_table);
+    let stars = star.into_iter().chain(raw.overrides().iter().filter_map(RawValue::as_table));
+    let loops = stars.flat_map(|table| ["inner_process", "outer_process"].map(|key| table.get(key)));
+    let loops = loops
+        .flatten()
+        .filter_map(|value| Some(ProcessUse { name: value.as_text()?, span: value.span.clone() }));
+    let drawing = raw.root().get("drawing").and_then(RawValue::as_table);
+    let seams = drawing.and_then(|table| table.get(SECTION)).and_then(RawValue::as_table);
+    let seams = seams.into_iter().flat_map(|table| &table.0);
+    loops.chain(seams.map(|entry| ProcessUse { name: &entry.key, span: entry.key_span.clone() })).collect()
+}
+
+/// Reports uses of processes that do not exist, and processes that nothing uses.
+pub(super) fn check_uses(reader: &mut Reader<'_>, processes: &[ProcessSpec]) {
+    let uses = process_uses(reader.raw);
+    let names: Vec<&str> =
+        processes.iter().map(|process| process.name.as_str()).chain([DEFAULT_PROCESS]).collect();
+    for ProcessUse { name, span } in uses.iter().filter(|used| !names.contains(&used.name)) {
+        let fault = Fault::error(
+            FaultCode::UnknownProcess,
+            span.clone(),
+            format!("no process is called {}", quoted(name)),
+        );
+        let help = match nearest(name, names.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("write its section, [process.{name}]; there are {}", names.join(", ")),
+        };
+        reader.faults.push(fault.label("must be the name of a section [process.NAME], or seal").help(help));
+    }
+    let table = reader.raw.root().get(SECTION).and_then(RawValue::as_table);
+    for entry in table.into_iter().flat_map(|table| &table.0) {
+        let is_process = processes.iter().any(|process| process.name == entry.key);
+        if is_process && uses.iter().all(|used| used.name != entry.key.as_str()) {
+            let message = format!("no seam uses the process {}", quoted(&entry.key));
+            let fault = Fault::warning(FaultCode::NoEffect, entry.key_span.clone(), message)
+                .label("a process counts where a seam names it")
+                .help(format!(
+                    "name layers, ids or roles of a drawing by {} = [...] in [drawing.process], or write `inner_process` or `outer_process` in [star]",
+                    entry.key
+                ));
+            reader.faults.push(fault);
+        }
+    }
+}
