@@ -51,7 +51,7 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
         let loads = match design.part(placed) {
             // A valid spec has a valid case; without one there is no load to report.
             FlatPiece::Star(star) => {
-                Case::of(spec, &star.star).map_or_else(|_| Vec::new(), |case| seal_loads(spec, &case, star))
+                Case::of_part(spec, star).map_or_else(|_| Vec::new(), |case| seal_loads(spec, &case, star))
             }
             FlatPiece::Drawn(_) => Vec::new(),
         };

@@ -42,10 +42,18 @@ pub(super) struct Args {
     /// Required ratio of the seal's strength to its load, 1 to 100.
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
+    /// The process that the values are for: a section [process.NAME] is printed in the place of [seal].
+    #[arg(long, value_name = "NAME", requires = "results", value_parser = process_name)]
+    process: Option<String>,
     #[command(flatten)]
     bench: BenchArgs,
     #[command(flatten)]
     verbosity: Verbosity,
+}
+
+/// The name of a process.
+fn process_name(text: &str) -> Result<String, String> {
+    spec::check_process_name(text).map(|()| text.to_owned())
 }
 
 /// Prints the values that the spec should have.
@@ -109,7 +117,10 @@ impl BenchResult<'_> {
             .map_err(|fault| Failure::Message(format!("{}: {fault}{}", shown(results), need.hint)))?;
         // One [fabric] section in all, so that the lines can be copied as they are.
         let fabric = format!("[fabric]\n{}", self.fabric.toml());
-        let chosen_toml = chosen.toml().replacen("[fabric]\n", &fabric, 1);
+        let chosen_toml = match &args.process {
+            Some(name) => chosen.process_toml(name),
+            None => chosen.toml().replacen("[fabric]\n", &fabric, 1),
+        };
         let all = if args.verbosity.verbose { listing(settings) } else { String::new() };
         let text = format!("{all}{}{chosen_toml}", need.why);
         args.verbosity.report(&text, &self.json(Some(&need), Some(&chosen)))
@@ -165,7 +176,7 @@ impl Need {
         let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
         let (mut loads, mut surely) = (Vec::new(), 0.0_f64);
         for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
-            let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
+            let case = Case::of_part(spec, part).map_err(|fault| refused(&fault.to_string()))?;
             for load in seal_loads(spec, &case, part) {
                 surely = surely.max(load.sure_strength.map_or(0.0, |strength| strength.0));
                 loads.push((load.load, load.place.to_owned()));

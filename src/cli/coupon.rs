@@ -17,7 +17,7 @@ use crate::coupon::{CouponGroup, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use proof::artifact::Kind;
 use spec::units::{Length, Speed, Temperature, counted};
-use spec::{CONTACT, SEAL_SPEEDS};
+use spec::{CONTACT, SEAL_SPEEDS, Spec};
 
 /// How often each setting is sealed by default.
 const REPEATS: u8 = 3;
@@ -45,6 +45,9 @@ pub(super) struct Args {
     /// How often each setting is sealed; default: 3.
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: Option<u8>,
+    /// The process of the spec that is tested, in the place of [seal]: its settings are the defaults.
+    #[arg(long, value_name = "NAME")]
+    process: Option<String>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -117,7 +120,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 /// The coupons that `args` describe, read back.
 pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Failure> {
     args.refuse_strips_alone()?;
-    let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    let (spec, machine) = (&tested_spec(args, loaded)?, &loaded.machine);
     if args.only.contains(&CouponGroup::VActuator) && !spec.has_stars() {
         let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";
         return Err(Failure::Message(text.to_owned()));
@@ -125,12 +128,29 @@ pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Fai
     let (grid, groups) = (grid(args, loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
     let coupons = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups)
         .map_err(|refusals| loaded.refused(refusals))?;
-    coupons.prove().map_err(|findings| loaded.unproven(findings))
+    coupons.of_process(args.process.clone()).prove().map_err(|findings| loaded.unproven(findings))
+}
+
+/// The spec whose `[seal]` is the process that is tested.
+fn tested_spec(args: &Args, loaded: &Loaded) -> Result<Spec, Failure> {
+    let spec = &loaded.reading.spec;
+    let Some(name) = &args.process else { return Ok(spec.clone()) };
+    let process = spec.process(name);
+    if process.name == *name {
+        return Ok(spec.sealed_by(&process));
+    }
+    let names: Vec<&str> = spec.processes.iter().map(|process| process.name.as_str()).collect();
+    let hint = match spec::nearest(name, names.iter().copied()) {
+        Some(near) => format!("did you mean {near}?"),
+        None if names.is_empty() => format!("write a section [process.{name}]"),
+        None => format!("there are {}", names.join(", ")),
+    };
+    Err(Failure::Message(format!("{}: no process is called {name}; {hint}", shown(&loaded.source.name))))
 }
 
 /// The grid of settings to test.
 fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
-    let seal = &loaded.reading.spec.seal;
+    let seal = &tested_spec(args, loaded)?.seal;
     let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
     let grid = StripGrid {
         temperatures: or(&args.temperatures, &[seal.temperature]),

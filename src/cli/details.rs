@@ -9,6 +9,7 @@ use crate::pipeline::{Forecast, Proven};
 use design::{COATING_ASSUMES, Design, DrawnPiece, DrawnPieces, FlatPiece, Plate, StarAssembly, StarDesign};
 use forecast::drawn::text::text as drawn_text;
 use forecast::report;
+use program::plan::{Program, SeamReport};
 use proof::artifact::Output;
 use spec::units::Readable;
 use spec::{MaskKind, Spec};
@@ -42,8 +43,9 @@ fn design(forecast: &Forecast) -> String {
             for seam in program.seams.iter().filter(|seam| seam.name.piece == placed.name()) {
                 let _ = writeln!(
                     text,
-                    "  {}: {:.1} mm of seam, {}",
+                    "  {}{}: {:.1} mm of seam, {}",
                     seam.name.in_piece(),
+                    made_by(program, seam),
                     seam.length,
                     hours(seam.time)
                 );
@@ -69,6 +71,19 @@ fn design(forecast: &Forecast) -> String {
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(text, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
     text
+}
+
+/// The process, the line and the pass of a contact, in brackets; empty where every seam is sealed once by the process of [seal].
+fn made_by(program: &Program, seam: &SeamReport) -> String {
+    if program.is_plain() {
+        return String::new();
+    }
+    let process = &program.processes[seam.process].process;
+    let seal = &process.seal;
+    format!(
+        " (process {}, {}, {}, line {}, pass {})",
+        process.name, seal.temperature, seal.speed, seam.line, seam.pass
+    )
 }
 
 /// The notes on a drawing.

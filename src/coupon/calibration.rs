@@ -183,26 +183,52 @@ impl Calibration {
         (self.strength * 1e3 + 1e-6).floor() / 1e3
     }
 
-    /// The lines for the spec.
-    pub fn toml(&self) -> String {
-        let Self { setting, mean, deviation, count, .. } = self;
-        let strength = self.written();
-        let speed = setting.speed;
-        let mut fast = String::new();
+    /// The lines for the spec: a section of the process called `name`.
+    pub fn process_toml(&self, name: &str) -> String {
+        let PeelRow { temperature, speed, height, .. } = self.setting;
+        format!(
+            "{}{}[process.{name}]\ntemperature = \"{temperature} C\"\nspeed = \"{speed} mm/s\"\nheight = \"{height} mm\"\n\
+             strength = \"{:.3} N/mm\"\n",
+            self.specimens(),
+            self.warning(),
+            self.written()
+        )
+    }
+
+    /// The comment on the specimens.
+    fn specimens(&self) -> String {
+        let Self { mean, deviation, count, .. } = self;
+        format!(
+            "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; strength: mean less two \
+             standard deviations\n"
+        )
+    }
+
+    /// The comment on a speed that may be in another unit; empty for a usual one.
+    fn warning(&self) -> String {
+        let speed = self.setting.speed;
         if speed > FAST {
-            fast = format!(
+            format!(
                 "# {speed} mm/s is more than ten times the paper's 0.1 mm/s; if the strips were sealed at {speed} mm/min, \
                  write speed = \"{} mm/s\"\n",
                 Readable(speed / 60.0)
-            );
+            )
+        } else {
+            String::new()
         }
+    }
+
+    /// The lines for the spec.
+    pub fn toml(&self) -> String {
+        let (setting, strength, fast) = (self.setting, self.written(), self.warning());
         format!(
-            "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; strength: mean less two \
-             standard deviations\n\
-             [fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
+            "{}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
              # tip at {} mm: heights.contact of the machine profile\n\
-             {fast}[seal]\ntemperature = \"{} C\"\nspeed = \"{speed} mm/s\"\n",
-            setting.height, setting.temperature
+             {fast}[seal]\ntemperature = \"{} C\"\nspeed = \"{} mm/s\"\n",
+            self.specimens(),
+            setting.height,
+            setting.temperature,
+            setting.speed
         )
     }
 }

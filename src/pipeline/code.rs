@@ -18,6 +18,7 @@ codes! {
         UnknownFeed "unknown-feed" "Whether the machine can move as slowly as the seal needs is unknown; time the program of `feedcheck`.",
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",
         UnknownStrength "unknown-strength" "The burst pressure is unknown; measure `seal_strength` with `coupon`, and write it.",
+        WeakProcess "weak-process" "Seams of several strengths: which is the weakest, or why a weak one does not open first.",
         WeakSeal "weak-seal" "The seal may fail at this place; see the remedy, if one is shown.",
     }
 }

@@ -84,6 +84,13 @@ impl MadeCoupons {
         })
     }
 
+    /// These coupons, which are sealed by the process called `name` in the place of `[seal]`.
+    #[must_use]
+    pub fn of_process(mut self, name: Option<String>) -> Self {
+        self.manifest.coupons.process = name;
+        self
+    }
+
     /// The coupons, ready to be published.
     ///
     /// # Errors
@@ -196,15 +203,18 @@ pub(super) fn prove_coupons(manifest: &CouponManifest, files: &OutputFiles<'_>) 
         let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
         return failed(vec![finding.in_file(MANIFEST)]);
     };
-    match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {
-        Ok(made) => made.proof(manifest, files),
+    let process = manifest.coupons.process.as_deref();
+    let process = process.map(|name| reading.spec.process(name));
+    let spec = process.as_ref().map_or(reading.spec.clone(), |process| reading.spec.sealed_by(process));
+    match MadeCoupons::new(&spec, &machine, sources, &grid, &groups) {
+        Ok(made) => made.of_process(process.map(|process| process.name)).proof(manifest, files),
         Err(refusals) => failed(refused(refusals)),
     }
 }
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
 fn settings_of(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
-    let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
+    let CouponChoice { temperatures, speeds, heights, repeats, only, .. } = choice;
     let lengths = [temperatures, speeds, heights].map(Vec::len);
     let strips = lengths.iter().try_fold(*repeats, |strips, length| strips.checked_mul(*length))?;
     let group =
@@ -253,6 +263,7 @@ fn manifest(
             heights: grid.heights.iter().map(|h| h.0).collect(),
             repeats: grid.repeats,
             only: named_groups.map(|(name, _)| (*name).to_owned()).collect(),
+            process: None,
         },
         files: files.iter().map(ManifestFile::new).collect(),
         pieces: coupons.iter().map(|coupon| coupon_piece(&coupon.name, &coupon.program)).collect(),

@@ -21,6 +21,7 @@ mod planned;
 mod precautions;
 mod proven;
 mod refused;
+mod weak_process;
 
 use crate::manifest::Manifest;
 use design::{Design, Refusals};

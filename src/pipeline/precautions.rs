@@ -3,6 +3,7 @@
 use crate::airtight;
 use crate::pipeline::Forecast;
 use crate::pipeline::code::PrecautionCode;
+use crate::pipeline::weak_process::weak_processes;
 use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
@@ -51,6 +52,7 @@ impl Forecast {
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
         list.extend(fit_valves(self));
+        list.extend(weak_processes(self));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);

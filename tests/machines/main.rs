@@ -13,6 +13,7 @@ mod job_size;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;
+mod processes;
 mod profile_lines;
 mod resume;
 mod speed;

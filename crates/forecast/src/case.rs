@@ -1,7 +1,7 @@
 //! The inputs of a spec for one star, in SI units: the only conversion from mm to m and from kPa to Pa.
 
 use crate::interval::Interval;
-use design::{Meeting, Star};
+use design::{Meeting, Star, StarDesign};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::{ElasticSheet, GRAVITY};
@@ -32,8 +32,8 @@ pub struct Case {
     pub band: f64,
     /// The fabric.
     pub sheet: ElasticSheet,
-    /// Peel strength of the seal, N per m.
-    pub peel: Option<f64>,
+    /// Peel strength of the seams at tips and corners, N per m: of the inner loop at the tips, of the outer one at the corners.
+    pub peel: Hinges<Option<f64>>,
     /// Gauge pressure, Pa.
     pub pressure: Option<f64>,
     /// Radius of the hole's cut edge, m: a wider object does not enter.
@@ -52,6 +52,12 @@ pub struct Case {
     pub largest_force: Option<f64>,
 }
 
+/// The strengths of the inner and the outer loop, by the hinges that they hold.
+fn loop_strengths(loops: [Option<LineForce>; 2]) -> Hinges<Option<f64>> {
+    let [tip, corner] = loops.map(|strength| strength.map(LineForce::newtons_per_metre));
+    Hinges { tip, corner }
+}
+
 impl Case {
     /// The case of `star` around the middle of its object, made of `fabric`, with the seal `seal` and the load `load`.
     ///
@@ -67,7 +73,7 @@ impl Case {
             realised: Hinges { tip, corner },
             band: seal.band.metres(),
             sheet: sheet(fabric)?,
-            peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
+            peel: loop_strengths([fabric.seal_strength; 2]),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
             hole: Length(star.hole(seal)).metres(),
             object: load.and_then(|load| load.object_radius).map(Length::metres),
@@ -88,7 +94,7 @@ impl Case {
             realised: Hinges::default(),
             band: 0.0,
             sheet,
-            peel: None,
+            peel: Hinges::default(),
             pressure: Some(pressure),
             hole: inner_radius,
             object: None,
@@ -98,6 +104,21 @@ impl Case {
             opening: None,
             largest_force: None,
         }
+    }
+
+    /// The case of the star of `part`, made by `spec`, with the strengths of its two loops.
+    ///
+    /// # Errors
+    /// The errors of [`Case::new`].
+    pub fn of_part(spec: &Spec, part: &StarDesign) -> Result<Self, StarFault> {
+        let strength = |index: usize| spec.process(&part.seam_lines.get(index)?.process).strength;
+        let peel = loop_strengths([strength(0), strength(1)]);
+        Ok(Self { peel, ..Self::of(spec, &part.star)? })
+    }
+
+    /// The least peel strength of its seams, N per m; `None` if one is unknown.
+    pub fn least_peel(&self) -> Option<f64> {
+        Some(self.peel.tip?.min(self.peel.corner?))
     }
 
     /// The case of `star`, one of the stars of `spec`.

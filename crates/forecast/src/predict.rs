@@ -186,7 +186,7 @@ fn predict_star(
     (meeting, opening): (Option<Meeting>, Option<f64>),
     models: &StarModels,
 ) -> Result<StarPrediction, StarFault> {
-    let case = Case::of(spec, &part.star)?.meeting(meeting).above_plate(opening);
+    let case = Case::of_part(spec, part)?.meeting(meeting).above_plate(opening);
     let placed = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
     let width = case.mechanism.width;
     let Some(level) = named_limit(spec.accuracy.model) else { return placed.by_table() };

@@ -27,6 +27,8 @@ use std::fmt;
 
 /// Roundest hinge that is advised, R*: rounder than ten widths no hinge is a hinge, and its pull is within a tenth of the straight tube's.
 const ROUNDEST: f64 = 10.0;
+/// The place where the hose goes in.
+const INLET: &str = "inlet";
 /// Sharpest hinge that is looked at, R*: there k is 1e5, more than any seal holds.
 const SHARPEST: f64 = 1e-6;
 
@@ -104,7 +106,7 @@ pub fn seal_loads(spec: &Spec, case: &Case, part: &StarDesign) -> Vec<SealLoad> 
         ("tips", Some((LoadedHinge::Tip, case.realised.tip)), Some(width)),
         ("corners", Some((LoadedHinge::Corner, case.realised.corner)), Some(width)),
         ("arms", None, Some(width)),
-        ("inlet", None, channel),
+        (INLET, None, channel),
     ];
     let with_width = places.into_iter().filter_map(|(place, hinge, width)| Some((place, hinge, width?)));
     with_width.map(|(place, hinge, width)| at_place((spec, case, &part.star), place, hinge, width)).collect()
@@ -128,7 +130,13 @@ fn at_place(
             Some((load, Some([load; 2]), load))
         }
     });
-    let burst = case.peel.and_then(|peel| match hinge {
+    let peel = match (hinge, place) {
+        (Some((hinge, _)), _) => hinge.peel(case),
+        // The channel is an opening of the outer loop, and an arm lies between both loops.
+        (None, INLET) => case.peel.corner,
+        (None, _) => case.least_peel(),
+    };
+    let burst = peel.and_then(|peel| match hinge {
         Some(hinge) => Some((bursting(case, k?, hinge, peel), burst_bounds(case, k?, hinge))),
         None => Some((PI * peel / width, Some([PI * peel / width; 2]))),
     });

@@ -81,7 +81,7 @@ pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, read_fabric_of, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
-pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess};
+pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess, check_process_name};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub use unknown::nearest;

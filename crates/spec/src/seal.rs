@@ -261,6 +261,14 @@ pub(super) fn read_processes(reader: &mut Reader<'_>, seal: &Seal) -> Vec<Proces
     processes
 }
 
+/// Checks that `name` can be that of a `[process.NAME]`.
+///
+/// # Errors
+/// The reason why it cannot.
+pub fn check_process_name(name: &str) -> Result<(), String> {
+    wrong_name(name).map_or(Ok(()), Err)
+}
+
 /// The reason for which `name` is none of a process.
 fn wrong_name(name: &str) -> Option<String> {
     if name == DEFAULT_PROCESS {
@@ -386,5 +394,115 @@ pub(super) fn check_uses(reader: &mut Reader<'_>, processes: &[ProcessSpec]) {
                 ));
             reader.faults.push(fault);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Source;
+    use crate::{Faults, Reading, read};
+
+    const STAR: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\n\
+                        tip_angle = \"30 deg\"\n";
+
+    fn reading(rest: &str) -> Result<Reading, Faults> {
+        read(&Source::new("x", format!("{STAR}{rest}")))
+    }
+
+    /// Codes and words of the faults of a spec with `rest`.
+    fn faults(rest: &str) -> (Vec<&'static str>, String) {
+        let faults = match reading(rest) {
+            Ok(reading) => reading.warnings,
+            Err(faults) => faults,
+        };
+        (faults.list().iter().map(|fault| fault.code).collect(), faults.to_string())
+    }
+
+    #[test]
+    fn a_process_takes_what_it_leaves_out_from_seal() {
+        let rest = "inner_process = \"weak\"\n[fabric]\nseal_strength = \"3 N/mm\"\n[seal]\nspeed = \"0.5 mm/s\"\npasses = 2\n\
+                    tip = \"1 mm\"\n[process.weak]\ntemperature = \"170 C\"\nstrength = \"0.8 N/mm\"\n";
+        let spec = reading(rest).unwrap_or_else(|faults| panic!("{faults}")).spec;
+        let weak = spec.process("weak");
+        assert_eq!((weak.seal.temperature, weak.seal.speed), (Temperature(170.0), Speed(0.5)));
+        assert_eq!((weak.seal.passes, weak.seal.line_count()), (2, 2));
+        assert_eq!(
+            (weak.strength, spec.default_process().strength),
+            (Some(LineForce(0.8)), Some(LineForce(3.0)))
+        );
+        // A name without a section is that of [seal]: reading has refused it.
+        assert!(spec.process("other").is_default());
+        assert_eq!(spec.sealed_by(&weak).fabric.seal_strength, Some(LineForce(0.8)));
+    }
+
+    /// Evenly spaced, from one edge of the band to the other, whatever their number.
+    #[test]
+    fn lines_fill_the_band() {
+        let base = reading("").unwrap_or_else(|faults| panic!("{faults}")).spec.seal;
+        for (band, tip, lines) in [(2.0, 1.0, None), (3.0, 0.8, None), (2.0, 1.9, None), (4.0, 1.0, Some(7))]
+        {
+            let seal = Seal { band: Length(band), tip: Some(Length(tip)), lines, ..base.clone() };
+            let offsets = seal.line_offsets();
+            let ends = [offsets[0], offsets[offsets.len() - 1]];
+            assert!((ends[0] + (band - tip) / 2.0).abs() < 1e-12 && (ends[0] + ends[1]).abs() < 1e-12);
+            assert!(offsets.windows(2).all(|pair| pair[1] - pair[0] <= tip + 1e-9), "{offsets:?}");
+        }
+        assert_eq!(base.line_offsets(), [0.0]);
+    }
+
+    #[test]
+    fn every_fault_of_processes_has_its_code_and_its_remedy() {
+        let used = "outer_process = \"weak\"\n";
+        for (rest, code, words) in [
+            ("outer_process = \"weka\"\n[process.weak]\n", "unknown-process", "did you mean `weak`?"),
+            ("[process.weak]\n", "no-effect", "no seam uses the process `weak`"),
+            ("[process.seal]\n", "name", "[seal] is the process of this name"),
+            ("[process.\"two words\"]\n", "name", "at most 20 in all"),
+            (
+                "outer_process = \"weak\"\n[process.weak]\npasses = 0\n",
+                "out-of-range",
+                "must be from 1 to 20",
+            ),
+            (
+                "outer_process = \"weak\"\n[process.weak]\ntemperature = \"310 C\"\n",
+                "ptfe",
+                "less than 300 C",
+            ),
+            ("outer_process = \"weak\"\n[process.weak]\nheight = \"1 mm\"\n", "out-of-range", "at most 0 mm"),
+            (
+                "outer_process = \"weak\"\n[process.weak]\nsped = \"1 mm/s\"\n",
+                "unknown-key",
+                "did you mean `speed`?",
+            ),
+            ("outer_process = \"weak\"\n[process.weak]\nlines = 2\n", "conflict", "write `tip` in [seal]"),
+            ("[seal]\ntip = \"3 mm\"\n", "conflict", "every line would leave the band"),
+            ("[seal]\ntip = \"0.5 mm\"\nlines = 3\n", "conflict", "write lines = 4"),
+            ("[seal]\ntip = \"0.01 mm\"\n", "conflict", "at most 20 lines are sealed"),
+            ("[seal]\npause = \"always\"\n", "unknown-choice", "must be one of"),
+            ("[seal]\ncool = \"2 h\"\n", "out-of-range", "at most 3600 s"),
+            (
+                "[fabric]\nseal_strength = \"3 N/mm\"\n[seal]\nstrength = \"3 N/mm\"\n",
+                "conflict",
+                "delete one of them",
+            ),
+        ] {
+            let (codes, text) = faults(rest);
+            assert_eq!(codes, [code], "{rest}: {text}");
+            assert!(text.contains(words), "{rest}: {text}");
+        }
+        // All at once.
+        let (codes, text) =
+            faults(&format!("{used}[process.weak]\npasses = 0\ntemperature = \"310 C\"\n[process.other]\n"));
+        assert_eq!(codes, ["out-of-range", "ptfe", "no-effect"], "{text}");
+    }
+
+    #[test]
+    fn a_layer_has_one_process() {
+        let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\n[drawing.process]\n\
+                    weak = [\"a\", \"b\"]\nstrong = [\"a\", 3]\nnone = \"a\"\n[process.weak]\n[process.strong]\n";
+        let faults = read(&Source::new("x", text)).expect_err("four faults");
+        let codes: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
+        assert_eq!(codes, ["wrong-type", "wrong-type", "conflict", "unknown-process"], "{faults}");
     }
 }

@@ -526,6 +526,9 @@ class DrawnPrediction:
     def burst_range_kPa(self) -> tuple[float, float] | None:
         """Range of the burst pressure: mesh errors, and how the pull may grow with the pressure."""
     @property
+    def bursts_first(self) -> dict[str, Any] | None:
+        """The seam that opens first: `seam`, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the strength of each."""
+    @property
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
     @property

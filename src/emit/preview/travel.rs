@@ -44,7 +44,10 @@ pub(super) fn travel_group(
                 group.line(seam.ramp(ramp), style.pen(RAMP, 2.0));
             }
             Step::Seal(pieces) => {
-                let Some((index, seam)) = &seam else { continue };
+                // Of several lines and passes of a seam the first is shown, along the middle of the band.
+                let Some((index, seam)) = seam.as_ref().filter(|(_, seam)| seam.report.is_first()) else {
+                    continue;
+                };
                 let (run, report) = (seam.run(), seam.report);
                 if report.overlap > 0.0 {
                     group

@@ -11,8 +11,8 @@ use crate::emit::preview::subject::Preview;
 use design::{PlacedPart, StarAssembly};
 use program::plan::SeamReport;
 use program::text::{inert, shortened};
-use spec::NAME_LENGTH;
 use spec::units::Readable;
+use spec::{NAME_LENGTH, Seal, SealProcess};
 
 /// Length of the scale bar, mm.
 const SCALE_BAR: f64 = 50.0;
@@ -36,12 +36,46 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
     block
         .say(format!("sealed at {} and {}, band {}", spec.seal.temperature, spec.seal.speed, spec.seal.band));
+    for process in processes(preview, sheet) {
+        block.say(format!(
+            "process {}: {} and {}",
+            process.name, process.seal.temperature, process.seal.speed
+        ));
+        block.say(format!("    {}", repeats(&process)));
+    }
     block.say(format!("machine: {}", shortened(&machine.name, 40)));
     if let Some((x, y)) = machine.bench.work_area {
         block.say(format!("work area {} x {} mm from X0 Y0", Readable(x.0), Readable(y.0)));
     }
     block.explain(Swatch::Scale(SCALE_BAR), "50 mm");
     block
+}
+
+/// The processes of the programs of `sheet` that do more than seal once by [seal], each once.
+fn processes(preview: &Preview<'_>, sheet: usize) -> Vec<SealProcess> {
+    let programs = preview.programs.iter().filter(|program| program.sheet == sheet && !program.is_plain());
+    let mut processes: Vec<SealProcess> = Vec::new();
+    for process in programs.flat_map(|program| &program.processes).map(|paced| &paced.process) {
+        if processes.iter().all(|known| known.name != process.name) {
+            processes.push(process.clone());
+        }
+    }
+    processes
+}
+
+/// Passes, lines and waits of a process in words.
+fn repeats(process: &SealProcess) -> String {
+    let Seal { passes, cool, .. } = &process.seal;
+    let cool = if cool.0 > 0.0 { format!(", {cool} to cool") } else { String::new() };
+    format!("{}, {}{cool}", counted_passes(*passes), counted_lines(process.seal.line_count()))
+}
+
+fn counted_passes(passes: u32) -> String {
+    if passes == 1 { "1 pass".to_owned() } else { format!("{passes} passes") }
+}
+
+fn counted_lines(lines: u32) -> String {
+    if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") }
 }
 
 /// Every distinct star once, with the numbers of all that are like it.
@@ -87,7 +121,9 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
                     if !orders.contains(&order) {
                         orders.push(order);
                     }
-                    stars.extend(seam.name.piece.number());
+                    if let Some(number) = seam.name.piece.number().filter(|number| !stars.contains(number)) {
+                        stars.push(number);
+                    }
                 }
                 None => rows.push((vec![order], seam.name.piece.number().into_iter().collect(), seam)),
             }

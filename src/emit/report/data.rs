@@ -115,7 +115,7 @@ fn machine(machine: &Machine) -> Value {
 /// The seal load of each distinct star.
 fn loads(report: &Report<'_>) -> Vec<Value> {
     let of_star = |part: &StarDesign| {
-        let case = Case::of(report.spec, &part.star).ok()?;
+        let case = Case::of_part(report.spec, part).ok()?;
         let load = |load: &SealLoad| {
             json!({
                 "place": load.place,

@@ -30,6 +30,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("syntax", "points = 5", "points 5"),
     ("unknown-choice", "", "[accuracy]\nmodel = \"fem\"\n"),
     ("unknown-key", "tube_width", "tube_widht"),
+    ("unknown-process", "", "outer_process = \"weka\"\n[process.weak]\n"),
     ("unknown-section", "", "[seals]\nband = \"2 mm\"\n"),
     ("unknown-unit", "50 mm", "50 kg"),
     ("wrong-type", "points = 5", "points = \"5\""),

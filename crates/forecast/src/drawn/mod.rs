@@ -15,6 +15,7 @@ use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::drawn::measures::PlacedMeasure;
 use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
+use crate::drawn::seams::SeamStrengths;
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
@@ -84,6 +85,7 @@ pub fn inflate(
     refuse_large(chambers, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
+    let strengths = SeamStrengths::new(spec, pieces);
     let count = chambers.len();
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(placed, number);
@@ -100,7 +102,7 @@ pub fn inflate(
         let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
             .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
-        answer.fill(&inflated, pieces, *highest, spec.fabric.seal_strength);
+        answer.fill(&inflated, pieces, *highest, &strengths);
         answer.scale_burst(pressure.0 / highest.0);
         measures::fill(placed, &mut prediction.measures, number, &inflated);
         surfaces.push(inflated.surface);

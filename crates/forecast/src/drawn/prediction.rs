@@ -4,12 +4,12 @@ use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
 use crate::drawn::pressures::PortPressure;
-use crate::drawn::seams::{SeamPrediction, seam_predictions};
+use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
 use crate::interval::Interval;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue, six};
 use crate::model_search::AccuracySearch;
-use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
+use crate::seal_load::{Bursting, bursts_at};
 use crate::warning::{PredictionWarning, WarningCode};
 use design::{DrawnPieces, Refusal, RefusalCode};
 use inflatable::shell::cases::{InflatedRegion, PlaneState, Wrinkles};
@@ -37,6 +37,10 @@ keyed! {
         pub burst_pressure_kPa: Option<f64>,
         /// Range of the burst pressure: mesh errors, and how the pull may grow with the pressure.
         pub burst_range_kPa: Option<Interval>,
+        /// The seam that opens first: `seam`, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the
+        /// strength of each.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub bursts_first: Option<FirstOpening>,
         /// Burst pressure over the pressure. Needs both.
         pub burst_margin: Option<f64>,
         /// Whether a chamber may leave the plane of the drawing. By the shell only.
@@ -56,9 +60,23 @@ keyed! {
 kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
-    Object: MeshedValue, DrawnEvidence, AveragedRanges;
+    Object: MeshedValue, DrawnEvidence, AveragedRanges, FirstOpening;
     List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<PortPressure>, Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
+}
+
+/// The seam that opens first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct FirstOpening {
+    /// Name of the seam.
+    pub seam: String,
+    /// Name of its process.
+    pub process: String,
+    /// Pressure at which it peels.
+    pub pressure_kPa: f64,
+    /// Its range.
+    pub range: Interval,
 }
 
 /// Model, choice and warnings behind a prediction.
@@ -108,6 +126,9 @@ keyed! {
         pub burst_pressure_kPa: Option<f64>,
         /// Range of the burst pressure.
         pub burst_range_kPa: Option<Interval>,
+        /// The seam that opens first, where seams are sealed by several processes.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub bursts_first: Option<FirstOpening>,
         /// Largest principal stretch.
         pub largest_stretch: Option<MeshedPlace>,
         /// Largest principal tension, N/mm.
@@ -178,17 +199,22 @@ impl ChamberPrediction {
         region: &InflatedRegion,
         pieces: &DrawnPieces,
         pressure: Pressure,
-        peel: Option<LineForce>,
+        processes: &SeamStrengths,
     ) {
         let seams = seam_predictions(region, pieces);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
         let is_averaged = region.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
-        let burst = peel.zip(largest).filter(|_| !is_averaged).and_then(|(peel, pull)| {
-            let pull = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
-            burst_of_drawn(peel.newtons_per_metre(), pressure.pascals(), pull)
-        });
+        let opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
+        let burst = opening.as_ref().map(|(_, burst)| *burst);
         let kpa = |pascals: f64| six(Pressure::from_pascals(pascals).0);
+        self.bursts_first =
+            opening.filter(|_| processes.differ()).map(|(seam, (burst, range))| FirstOpening {
+                process: processes.process(&seam).to_owned(),
+                seam,
+                pressure_kPa: kpa(burst),
+                range: range.map(kpa),
+            });
         self.wrinkles = Some(match region.wrinkles {
             Wrinkles::Resolved => "resolved",
             Wrinkles::Averaged => "averaged",
@@ -222,6 +248,10 @@ impl ChamberPrediction {
     pub(super) fn scale_burst(&mut self, ratio: f64) {
         self.burst_pressure_kPa = self.burst_pressure_kPa.map(|burst| six(ratio * burst));
         self.burst_range_kPa = self.burst_range_kPa.map(|range| range.map(|end| six(ratio * end)));
+        if let Some(first) = &mut self.bursts_first {
+            first.pressure_kPa = six(ratio * first.pressure_kPa);
+            first.range = first.range.map(|end| six(ratio * end));
+        }
     }
 
     /// Name of the chamber among `count` chambers, as text.
@@ -251,6 +281,9 @@ impl DrawnPrediction {
         let weakest = bursting.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|_| is_known);
         self.burst_pressure_kPa = weakest.map(|(burst, _)| burst);
         self.burst_range_kPa = weakest.map(|(_, range)| range);
+        let openings = chambers.iter().filter_map(|chamber| chamber.bursts_first.clone());
+        let first = openings.min_by(|a, b| a.pressure_kPa.total_cmp(&b.pressure_kPa));
+        self.bursts_first = first.filter(|_| is_known);
         self.burst_margin = weakest.map(|(burst, _)| six(burst / pressure.0));
         self.leaves_plane = Some(chambers.iter().any(|chamber| chamber.leaves_plane == Some(true)));
         self.evidence.warnings = self.warnings();

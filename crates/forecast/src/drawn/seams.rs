@@ -1,13 +1,17 @@
 //! The pull on the seams of a drawn chamber.
 
+use crate::interval::Interval;
 use crate::meshed::MeshedPlace;
 use crate::prediction::groups_of_equals;
+use crate::seal_load::burst_of_drawn;
 use design::DrawnPieces;
 use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull};
 use sealed::Seam;
 use serde::Serialize;
-use spec::units::Length;
+use spec::units::{Length, LineForce, Pressure};
+use spec::{SealProcess, Spec};
+use std::collections::BTreeMap;
 
 /// The pull on one seam of a chamber.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -19,6 +23,69 @@ pub struct SeamPrediction {
     pub pull_N_per_mm: MeshedPlace,
     /// Rows of a place (x, y, mm), the pull there (N/mm) and its mesh error, along the seam.
     pub along: Vec<[f64; 4]>,
+}
+
+/// Name of a seam that has none of its own.
+const ONLY: &str = "seam";
+
+/// The process and the peel strength of every seam of drawn pieces.
+pub(super) struct SeamStrengths {
+    /// By the name of the seam; of seams with one name the weakest.
+    seams: BTreeMap<String, SealProcess>,
+    default: SealProcess,
+}
+
+impl SeamStrengths {
+    pub(super) fn new(spec: &Spec, pieces: &DrawnPieces) -> Self {
+        let mut seams: BTreeMap<String, SealProcess> = BTreeMap::new();
+        for piece in &pieces.pieces {
+            for (seam, lines) in piece.shape.seams.iter().zip(&piece.seam_lines) {
+                let process = spec.process(&lines.process);
+                let is_weaker =
+                    |known: &SealProcess| process.strength.map(|own| own.0) < known.strength.map(|own| own.0);
+                let name = if seam.name.is_empty() { ONLY } else { &seam.name };
+                if seams.get(name).is_none_or(is_weaker) {
+                    let _ = seams.insert(name.to_owned(), process);
+                }
+            }
+        }
+        Self { seams, default: spec.default_process() }
+    }
+
+    /// Whether seams are sealed by more than one process.
+    pub(super) fn differ(&self) -> bool {
+        let mut names = self.seams.values().map(|process| &process.name);
+        names.next().is_some_and(|first| names.any(|name| name != first))
+    }
+
+    /// The name of the process of `seam`.
+    pub(super) fn process(&self, seam: &str) -> &str {
+        &self.of_seam(seam).name
+    }
+
+    fn of_seam(&self, seam: &str) -> &SealProcess {
+        self.seams.get(seam).unwrap_or(&self.default)
+    }
+
+    /// The one of `seams` that peels at the least pressure, with that pressure, Pa, and its range; `None` if a strength is unknown. The pulls
+    /// are those at `pressure`.
+    pub(super) fn first_opening(
+        &self,
+        seams: &[SeamPrediction],
+        pressure: Pressure,
+    ) -> Option<(String, (f64, Interval))> {
+        let mut first: Option<(String, (f64, Interval))> = None;
+        for SeamPrediction { seam, pull_N_per_mm, .. } in seams {
+            let peel = self.of_seam(seam).strength?.newtons_per_metre();
+            let pull = [pull_N_per_mm.value, pull_N_per_mm.mesh_error]
+                .map(|pull| LineForce(pull).newtons_per_metre());
+            let Some(burst) = burst_of_drawn(peel, pressure.pascals(), pull) else { continue };
+            if first.as_ref().is_none_or(|(_, least)| burst.0 <= least.0) {
+                first = Some((seam.clone(), burst));
+            }
+        }
+        first
+    }
 }
 
 /// Rows of one seam at most.
@@ -42,7 +109,7 @@ fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
     let distance = |seam: &Seam| seam.center_line.distance(Point::new(x, y));
     let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
     let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
+    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| ONLY.to_owned())
 }
 
 fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {

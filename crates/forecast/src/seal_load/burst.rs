@@ -3,7 +3,9 @@
 use crate::case::Case;
 use crate::interval::Interval;
 use crate::ranges::shown;
-use crate::seal_load::pull::{BENDABILITY, LoadedHinge, bounds, edge, hardest, is_tried, pull, widest};
+use crate::seal_load::pull::{
+    BENDABILITY, LoadedHinge, bounds, edge, factor, hardest, is_tried, pull, widest,
+};
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::numerics::last_holding;
@@ -40,22 +42,39 @@ pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> Str
     format!("the pressure is {pressure}, and the seal is predicted to burst at {burst}")
 }
 
-/// Pressure (Pa) at which the seal peels at its hardest pulled hinge; `None` without a peel strength.
+/// The kind of hinge whose seal peels first, its inner radius, m, and `k` there: the one with the largest pull, or with the largest part
+/// of its strength where tips and corners are sealed by processes of different strength. `None` as of [`hardest`].
+fn weakest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
+    let (Some(tip_peel), Some(corner_peel)) = (case.peel.tip, case.peel.corner) else {
+        return hardest(case, ring);
+    };
+    if tip_peel == corner_peel {
+        return hardest(case, ring);
+    }
+    let loaded = |hinge: LoadedHinge, peel: f64| {
+        let placed = (hinge, hinge.radius(case));
+        let k = factor(ring, placed.1 / case.mechanism.width)?;
+        Some((bursting(case, k, placed, peel), (k, placed)))
+    };
+    let (tip, corner) = (loaded(LoadedHinge::Tip, tip_peel)?, loaded(LoadedHinge::Corner, corner_peel)?);
+    Some(if tip.0 <= corner.0 { tip.1 } else { corner.1 })
+}
+
+/// Pressure (Pa) at which the seal peels at its weakest hinge; `None` without a peel strength.
 pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
-    let peel = case.peel?;
-    let (k, hinge) = hardest(case, ring)?;
-    Some(bursting(case, k, hinge, peel))
+    let (k, hinge) = weakest(case, ring)?;
+    Some(bursting(case, k, hinge, hinge.0.peel(case)?))
 }
 
 /// The range of [`burst`], from that of the pull at this pressure; `None` where no shell had a hinge nearly as sharp.
 pub fn burst_range(case: &Case) -> Option<Interval> {
-    let (k, hinge) = hardest(case, &Ring)?;
+    let (k, hinge) = weakest(case, &Ring)?;
     if is_tried(case, hinge.1) { burst_bounds(case, k, hinge) } else { None }
 }
 
 /// The burst range of any hinge, to judge the seal by.
 pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
-    let (k, hinge) = hardest(case, &Ring)?;
+    let (k, hinge) = weakest(case, &Ring)?;
     burst_bounds(case, k, hinge)
 }
 
@@ -65,7 +84,7 @@ pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
 /// there, whatever is known of the pull at the burst pressure. At its upper end the lower end of the pull reaches the strength first, so a
 /// pressure lies above the range if the seal bears nothing of the range of the pull there.
 pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
-    let peel = case.peel?;
+    let peel = hinge.0.peel(case)?;
     let burst_at = |part: f64| bursting(case, k, hinge, peel / part);
     let range =
         |pressure: f64| bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));

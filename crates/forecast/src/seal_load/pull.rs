@@ -27,6 +27,14 @@ pub enum LoadedHinge {
 }
 
 impl LoadedHinge {
+    /// Peel strength of its seam, N per m; `None` if unknown.
+    pub(super) fn peel(self, case: &Case) -> Option<f64> {
+        match self {
+            Self::Tip => case.peel.tip,
+            Self::Corner => case.peel.corner,
+        }
+    }
+
     /// Name in messages.
     pub(super) fn place(self) -> &'static str {
         match self {

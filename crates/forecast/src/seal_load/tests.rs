@@ -130,7 +130,8 @@ fn a_stronger_seal_never_makes_the_verdict_worse() {
         let (_, pull, _) = largest_pull(&case).expect("known");
         let mut before = (Bursting::Yes, [0.0; 2]);
         for tenths in 1..600 {
-            case.peel = Some(100.0 * f64::from(tenths));
+            case.peel =
+                Hinges { tip: Some(100.0 * f64::from(tenths)), corner: Some(100.0 * f64::from(tenths)) };
             let (burst, range) = (burst(&case, &Ring).expect("known"), burst_range(&case).expect("tried"));
             assert!(range[0] < burst && burst < range[1], "{tenths}: {range:?} {burst}");
             let now = Bursting::at(pressure, burst, Some(range));

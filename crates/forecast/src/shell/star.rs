@@ -81,7 +81,7 @@ fn compute(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<ShellRun, ShellRefusal> {
-    let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
+    let case = Case::of_part(spec, part).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
     let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
     let all: Vec<f64> = radii.iter().copied().chain(met).collect();
     let weave = weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
@@ -237,7 +237,7 @@ fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String
             ),
         ),
         (
-            case.peel.is_some_and(|peel| pull > peel) && !sharp,
+            case.least_peel().is_some_and(|peel| pull > peel) && !sharp,
             format!("the pull on the seal is {:.2} N/mm, which is more than its strength", 1e-3 * pull),
         ),
         (

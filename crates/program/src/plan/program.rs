@@ -221,6 +221,13 @@ pub(super) fn steps_of<'s>(steps: &'s [Step], seams: &[SeamReport], process: usi
     steps.iter().filter(of_process).collect()
 }
 
+impl SeamReport {
+    /// Whether it is the first contact of its seam.
+    pub fn is_first(&self) -> bool {
+        (self.line, self.pass) == (1, 1)
+    }
+}
+
 impl Ramp {
     /// Length of the way in space, mm.
     pub fn length(&self) -> f64 {

@@ -35,6 +35,9 @@ pub struct CouponChoice {
     pub repeats: usize,
     /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
     pub only: Vec<String>,
+    /// Process by which they are sealed; absent for the one of `[seal]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub process: Option<String>,
 }
 
 impl CouponManifest {
