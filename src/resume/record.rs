@@ -85,6 +85,9 @@ impl Record {
         if let Some(hot) = processes.iter().find(|process| process.seal.temperature >= TOXIC) {
             return Err(ResumeFault::TooHot(hot.seal.temperature));
         }
+        // Strokes of several processes have feeds of their own, which follow from the steps.
+        let chop_feed = motion.chop_feed.filter(|_| processes.is_empty() || motion.steps_per_mm.is_none());
+        let motion = Motion { chop_feed, ..motion };
         let is_timed = header.find("chop").is_err() || header.find("chop-start").is_ok();
         let controller = header.controller(comments, pace)?;
         Ok(Self { controller, process, seal, path, default, processes, sealing, motion, is_timed })

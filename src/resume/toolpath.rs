@@ -179,6 +179,8 @@ impl<'a> Toolpath<'a> {
         let mut interpreter = Interpreter::new(self.record.dialect());
         let (mut events, mut title, mut last) = (Vec::new(), None, None::<TimedMove>);
         let mut stated = self.record.process_of(None);
+        // The wait for a seam to cool, s, and whether a comment announces it.
+        let (mut wait, mut cools) = (0.0, false);
         let mut lines = self.text.split_inclusive('\n').enumerate();
         std::iter::from_fn(move || {
             for (i, line) in lines.by_ref() {
@@ -190,10 +192,13 @@ impl<'a> Toolpath<'a> {
                             title = Some(i);
                             stated = self.record.process_of(Some(&comment));
                         }
+                        Event::Comment(comment) if comment.key() == Some("cool") => cools = true,
+                        Event::Dwell(dwell) if cools => (wait, cools) = (dwell.seconds, false),
                         // A line has one move at the most, which is passed on after its dwells.
                         Event::Move(step) => {
                             let timed = self.timed(step, last.as_ref(), stated);
-                            done = last.replace(TimedMove { title, ..timed });
+                            let begins = timed.begins + std::mem::take(&mut wait);
+                            done = last.replace(TimedMove { title, begins, ..timed });
                         }
                         Event::Dwell(dwell) => {
                             if let Some(last) = &mut last {
