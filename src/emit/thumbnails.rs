@@ -40,6 +40,8 @@ fn picture(program: &Program, band: f64, side: f64) -> Option<Picture> {
         Step::Trace(pieces) => Some((Path::open(pieces.clone()), TRACED)),
         Step::Height(_)
         | Step::Heat(_)
+        | Step::Pause(_)
+        | Step::Cool(_)
         | Step::Travel(_)
         | Step::Seam(_)
         | Step::TouchDown(_)

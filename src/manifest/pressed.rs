@@ -12,6 +12,9 @@ pub(super) fn pieces(press: &Press, design: &Design) -> Vec<SealedPiece> {
         name: seam.name.clone(),
         length_mm: thousandths(seam.center_line.length()),
         time_s: thousandths(press.time.0),
+        process: None,
+        passes: None,
+        lines: None,
     };
     let piece = |placed: &PlacedPart| SealedPiece {
         name: placed.name().word(),
@@ -30,6 +33,9 @@ pub(super) fn stars(spec: &Spec, press: &Press, assembly: &StarAssembly) -> Vec<
         length_mm: thousandths(seam.center_line.length()),
         overlap_mm: 0.0,
         time_s: time,
+        process: None,
+        passes: None,
+        lines: None,
     };
     let star = |placed: &PlacedPart| {
         let part = assembly.part(placed);

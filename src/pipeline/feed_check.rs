@@ -112,6 +112,8 @@ fn program_of(spec: &Spec, machine: &Machine, published: Option<&str>) -> (Strin
         Step::Seal(pieces) => Some(Path::open(pieces.clone())),
         Step::Height(_)
         | Step::Heat(_)
+        | Step::Pause(_)
+        | Step::Cool(_)
         | Step::Travel(_)
         | Step::Seam(_)
         | Step::TouchDown(_)

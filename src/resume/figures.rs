@@ -3,16 +3,8 @@
 use crate::emit;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
-use inflatable::numerics::last_holding;
-use program::plan::Pace;
 use proof::verify::Phase;
 use proof::verify::gcode::Comment;
-use spec::LEAST_ACCELERATION;
-
-/// An acceleration that no machine exceeds, mm/s^2: from there on travels count as at speed at once.
-const MOST_ACCELERATION: f64 = 1e6;
-/// Rounds of a search for an acceleration: each halves the logarithm of the range, down to a millionth.
-const ROUNDS: u32 = 30;
 
 /// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {
@@ -48,18 +40,16 @@ impl Figures {
                 first = (first.0 + flat, first.1 + step.seconds);
             }
         }
-        let acceleration = match new.record.pace {
-            Pace::Chopped(chop) => Some(chop.acceleration),
-            Pace::Steady => old.stated.and_then(|stated| travel_acceleration(old, stated - old.sealing)),
-        };
-        let sealing = old.stated.map_or(old.sealing, |stated| stated - old.travelling(acceleration));
+        let acceleration = old.acceleration;
+        let sealing =
+            old.stated.map_or(old.sealing, |stated| stated - old.cooling - old.travelling(acceleration));
         let share = new.sealing / old.sealing.max(f64::MIN_POSITIVE);
         Self {
             seam,
             first,
             length,
             is_again: old.job.is_some(),
-            seconds: (share * sealing + new.travelling(acceleration)).max(0.0),
+            seconds: (share * sealing + new.cooling + new.travelling(acceleration)).max(0.0),
         }
     }
 
@@ -88,13 +78,6 @@ impl Figures {
             _ => vec![line.to_owned()],
         }
     }
-}
-
-/// The acceleration, mm/s^2, with which the travels of `toolpath` take `seconds`; `None` if they take no longer than at speed at once.
-fn travel_acceleration(toolpath: &Toolpath<'_>, seconds: f64) -> Option<f64> {
-    let is_quick = |acceleration: f64| toolpath.travelling(Some(acceleration)) <= seconds;
-    (toolpath.travelling(Some(MOST_ACCELERATION)) < seconds)
-        .then(|| last_holding(MOST_ACCELERATION, LEAST_ACCELERATION, ROUNDS, is_quick))
 }
 
 /// The comment in a line that contains nothing else.

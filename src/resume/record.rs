@@ -140,6 +140,14 @@ impl Record {
         }
     }
 
+    /// The acceleration that the file states for its strokes, mm/s^2; `None` where no process is chopped.
+    pub(super) fn stroke_acceleration(&self) -> Option<f64> {
+        self.all_processes().find_map(|stated| match stated.pace {
+            Pace::Steady => None,
+            Pace::Chopped(chop) => Some(chop.acceleration),
+        })
+    }
+
     /// Whether the controller joins short moves to the next one, so that a seam can continue only at a stop.
     pub(super) fn joins_moves(&self) -> bool {
         self.all_processes().any(|stated| matches!(stated.pace, Pace::Chopped(chop) if chop.least > 0.0))
@@ -385,8 +393,9 @@ mod tests {
         let design = Design::new(&spec, &machine).expect("a gripper");
         let programs = seal_programs(&spec, &machine, &design);
         let record = Record::read(&crate::emit::gcode(&spec, &machine, &programs[0])).expect("a program");
-        // Allowances are cut, not sealed. Every other key is compared.
-        let Seal { temperature, speed, band, overlap, allowance: _, hole_allowance: _ } = spec.seal;
+        // Allowances are cut, not sealed; every contact has its own height, and waits, passes and lines are steps of the program. Every other
+        // key is compared.
+        let Seal { temperature, speed, band, overlap, allowance: _, hole_allowance: _, .. } = spec.seal;
         let stated = record.seal;
         assert_eq!(
             (stated.temperature, stated.speed, stated.band, stated.overlap),

@@ -58,7 +58,7 @@ impl ResumeAt {
             }
             Self::Share(share) => after(toolpath, toolpath.time_at(share)),
             Self::Time(time) => {
-                // The first travel and the accelerations are no part of the moves' times: too early is safe, too late leaves a gap.
+                // The first travel is no part of the moves' times: too early is safe, too late leaves a gap.
                 let lead = toolpath.stated.map_or(0.0, |stated| (stated - toolpath.seconds).max(0.0));
                 after(toolpath, (time - lead).max(0.0))
             }

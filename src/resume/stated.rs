@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use crate::resume::figures::comment;
 use crate::resume::toolpath::{TimedMove, Toolpath};
-use program::plan::Pace;
 use proof::verify::gcode::Comment;
 use proof::verify::{Finding, FindingCode, Phase};
 use spec::LEAST_ACCELERATION;
@@ -86,11 +85,7 @@ impl<'a> StatedFigures<'a> {
             travels: [0.0; 2],
             ahead: 0.0,
         };
-        let chopped = record.all_processes().find_map(|stated| match stated.pace {
-            Pace::Steady => None,
-            Pace::Chopped(chop) => Some(chop.acceleration),
-        });
-        let acceleration = chopped.unwrap_or(LEAST_ACCELERATION);
+        let acceleration = record.stroke_acceleration().unwrap_or(LEAST_ACCELERATION);
         // From rest to rest a way takes at most so much longer than at full speed.
         let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut before = None;
@@ -107,8 +102,8 @@ impl<'a> StatedFigures<'a> {
             }
             if step.phase == Phase::Clear {
                 let [least, most] = &mut out.travels;
-                *least += step.seconds / DIAGONAL;
-                *most += step.seconds + starting(step.step.length());
+                *least += step.even / DIAGONAL;
+                *most += step.even + starting(step.step.length());
                 continue;
             }
             if out.all.length == 0.0 {

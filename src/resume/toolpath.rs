@@ -5,10 +5,17 @@
 use crate::resume::ResumeFault;
 use crate::resume::record::{Record, StatedProcess};
 use geom::Bounds;
+use inflatable::numerics::last_holding;
 use program::plan::TravelLimits;
 use proof::verify::Phase;
 use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
+use spec::LEAST_ACCELERATION;
 use std::ops::Range;
+
+/// An acceleration that no machine exceeds, mm/s^2: from there on travels count as at speed at once.
+const MOST_ACCELERATION: f64 = 1e6;
+/// Rounds of a search for an acceleration: each halves the logarithm of the range, down to a millionth.
+const ROUNDS: u32 = 30;
 
 /// One move.
 #[derive(Clone, Copy, Debug)]
@@ -19,8 +26,11 @@ pub(super) struct TimedMove {
     pub(super) along: f64,
     /// Time before it, s.
     pub(super) begins: f64,
-    /// Time of the move, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule.
+    /// Time of the move, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule. A travel speeds up
+    /// and brakes.
     pub(super) seconds: f64,
+    /// Time of the move if it had its speed at once, s.
+    pub(super) even: f64,
     /// Whether a dwell follows it.
     pub(super) rests: bool,
     /// Index of the line that is the title of its seam.
@@ -50,6 +60,10 @@ pub(super) struct Toolpath<'a> {
     pub(super) seconds: f64,
     /// Time in contact and on ramps, s.
     pub(super) sealing: f64,
+    /// Time of the waits for seams to cool, s.
+    pub(super) cooling: f64,
+    /// The acceleration of the travels, mm/s^2, as stated, or that with which they take the rest of the stated time; `None`: at speed at once.
+    pub(super) acceleration: Option<f64>,
     /// Travels of the program, mm, as runs without a stop between two contacts. The first way is that from the sheet's corner, where every program leaves
     /// the iron.
     pub(super) travels: Vec<Vec<[f64; 3]>>,
@@ -65,6 +79,12 @@ pub(super) struct Toolpath<'a> {
 fn from_corner(travel: &BlindMove) -> Option<[f64; 3]> {
     let [Some(x), Some(y), _] = travel.to else { return None };
     Some([x, y, 0.0])
+}
+
+/// The way of `step`, mm.
+fn way(step: &Move) -> [f64; 3] {
+    let (start, end) = (step.from, step.to);
+    [end.x - start.x, end.y - start.y, end.z - start.z]
 }
 
 impl<'a> Toolpath<'a> {
@@ -113,6 +133,8 @@ impl<'a> Toolpath<'a> {
             heatings,
             seconds: 0.0,
             sealing: 0.0,
+            cooling: 0.0,
+            acceleration: None,
             travels: Vec::new(),
             stated,
             job,
@@ -122,11 +144,15 @@ impl<'a> Toolpath<'a> {
     }
 
     /// This program with the time and the reach of its moves; `travels` has the ways before the first one.
-    fn walked(self, mut travels: Vec<Vec<[f64; 3]>>) -> Self {
-        let (mut seconds, mut sealing, mut reach) = (0.0, 0.0, Bounds::EMPTY);
+    ///
+    /// Times in contact and ways of travels come first. What the stated time leaves to the travels gives their acceleration, and with it the
+    /// time of every move.
+    fn walked(mut self, mut travels: Vec<Vec<[f64; 3]>>) -> Self {
         let mut is_sealing = false;
+        let (mut ends, mut sealing, mut cooling, mut reach) = (0.0, 0.0, 0.0, Bounds::EMPTY);
         for step in self.moves() {
-            seconds = step.begins + step.seconds;
+            cooling += step.begins - ends;
+            ends = step.begins + step.seconds;
             reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
             if step.phase != Phase::Clear {
                 sealing += step.seconds;
@@ -136,12 +162,26 @@ impl<'a> Toolpath<'a> {
             if std::mem::take(&mut is_sealing) {
                 travels.push(Vec::new());
             }
-            let (start, end) = (step.step.from, step.step.to);
             if let Some(run) = travels.last_mut() {
-                run.push([end.x - start.x, end.y - start.y, end.z - start.z]);
+                run.push(way(&step.step));
             }
         }
-        Self { seconds, sealing, travels, reach, ..self }
+        (self.seconds, self.sealing, self.cooling, self.travels, self.reach) =
+            (ends, sealing, cooling, travels, reach);
+        self.acceleration = self.record.stroke_acceleration().or_else(|| self.fitted_acceleration());
+        if self.acceleration.is_some() {
+            self.seconds = self.moves().last().map_or(0.0, |last| last.begins + last.seconds);
+        }
+        self
+    }
+
+    /// The acceleration, mm/s^2, with which the travels take what the stated time leaves to them; `None` if they take no longer than at speed
+    /// at once.
+    fn fitted_acceleration(&self) -> Option<f64> {
+        let seconds = self.stated? - self.sealing - self.cooling;
+        let is_quick = |acceleration: f64| self.travelling(Some(acceleration)) <= seconds;
+        (self.travelling(Some(MOST_ACCELERATION)) < seconds)
+            .then(|| last_holding(MOST_ACCELERATION, LEAST_ACCELERATION, ROUNDS, is_quick))
     }
 
     /// The lines of the heating that is in force in the line of index `line`.
@@ -152,12 +192,16 @@ impl<'a> Toolpath<'a> {
 
     /// Time of its travels, s, where the controller accelerates them by `acceleration`, mm/s^2; `None`: at speed at once.
     pub(super) fn travelling(&self, acceleration: Option<f64>) -> f64 {
-        let speed = self.record.process.travel_speed.0;
-        let limits = TravelLimits { dialect: self.record.controller.dialect, speed, acceleration };
+        let limits = self.limits(acceleration);
         self.travels.iter().map(|run| limits.seconds(run)).sum()
     }
 
-    /// Time of the whole job, of which this program may be the rest, s, without the accelerations of travels.
+    fn limits(&self, acceleration: Option<f64>) -> TravelLimits {
+        let speed = self.record.process.travel_speed.0;
+        TravelLimits { dialect: self.record.controller.dialect, speed, acceleration }
+    }
+
+    /// Time of the whole job, of which this program may be the rest, s, without its first travel.
     fn whole(&self) -> f64 {
         let whole = self.job.zip(self.stated).map(|(job, stated)| job - stated + self.seconds);
         whole.filter(|whole| *whole > 0.0).unwrap_or(self.seconds)
@@ -224,13 +268,25 @@ impl<'a> Toolpath<'a> {
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
-        let seconds = match step.feed {
+        let even = match step.feed {
             _ if phase != Phase::Clear => step.length() / stated.seal.speed.0,
             Some(feed) => step.length() / feed * 60.0,
             None => step.length() / record.process.travel_speed.0,
         };
+        let seconds = match self.acceleration {
+            Some(_) if phase == Phase::Clear => {
+                let limits = self.limits(self.acceleration);
+                // Between two travels the iron may not stop.
+                let joined = before.filter(|b| b.phase == Phase::Clear).map(|b| way(&b.step));
+                match joined {
+                    Some(last) => limits.seconds(&[last, way(&step)]) - limits.seconds(&[last]),
+                    None => limits.seconds(&[way(&step)]),
+                }
+            }
+            _ => even,
+        };
         let along = if phase == Phase::Clear { 0.0 } else { along };
-        TimedMove { step, phase, along, begins, seconds, rests: false, title: None }
+        TimedMove { step, phase, along, begins, seconds, even, rests: false, title: None }
     }
 
     /// The line of this index.

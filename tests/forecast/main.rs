@@ -80,7 +80,8 @@ fn a_case_is_the_spec_in_si_units() {
         // The band, 1 mm wide, is narrower than either radius: both are made as specified.
         (case.realised.tip, 0.002),
         (case.realised.corner, 0.003),
-        (case.peel.expect("given"), 3e3),
+        (case.peel.tip.expect("given"), 3e3),
+        (case.peel.corner.expect("given"), 3e3),
         (case.pressure.expect("given"), 37e3),
         (case.object.expect("given"), 0.03),
         (case.friction.expect("given"), 0.5),

@@ -14,7 +14,18 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Weak enough for the paper's star to be in need of round hinges at `pressure` Pa: 1 N/mm.
 fn weak(pressure: f64) -> Case {
-    Case { peel: Some(1e3), pressure: Some(pressure), ..case(&paper(5)) }
+    Case { peel: on_both_loops(Some(1e3)), pressure: Some(pressure), ..case(&paper(5)) }
+}
+
+/// One strength for both loops, N/m.
+fn on_both_loops(strength: Option<f64>) -> Hinges<Option<f64>> {
+    Hinges { tip: strength, corner: strength }
+}
+
+/// Every strength times `factor`.
+fn scaled(strengths: Hinges<Option<f64>>, factor: f64) -> Hinges<Option<f64>> {
+    let Hinges { tip, corner } = strengths;
+    Hinges { tip: tip.map(|t| t * factor), corner: corner.map(|t| t * factor) }
 }
 
 /// The paper's gripper with hinges as round as those of the shells that the pull was taken from.
@@ -78,9 +89,9 @@ fn the_safe_radius_is_the_least() {
 fn the_safe_radius_scales_with_the_star_and_depends_on_ratios_only() {
     let (case, factor) = (weak(37e3), 7.0);
     let mut same =
-        Case { peel: case.peel.map(|t| t * factor), pressure: case.pressure.map(|p| p * factor), ..case };
+        Case { peel: scaled(case.peel, factor), pressure: case.pressure.map(|p| p * factor), ..case };
     same.sheet.young_modulus *= factor;
-    let mut larger = Case { peel: case.peel.map(|t| t * factor), band: factor * case.band, ..case };
+    let mut larger = Case { peel: scaled(case.peel, factor), band: factor * case.band, ..case };
     larger.mechanism.width *= factor;
     larger.sheet.thickness *= factor;
     let [own, same, larger] =
@@ -95,8 +106,8 @@ fn the_safe_radius_scales_with_the_star_and_depends_on_ratios_only() {
 fn without_pressure_or_strength_nothing_is_said_about_bursting() {
     let case = weak(37e3);
     assert_eq!(safe_radius(&Case { pressure: None, ..case }, LoadedHinge::Tip), None);
-    assert_eq!(safe_radius(&Case { peel: None, ..case }, LoadedHinge::Tip), None);
-    assert_eq!(burst(&Case { peel: None, ..case }, &Ring), None);
+    assert_eq!(safe_radius(&Case { peel: on_both_loops(None), ..case }, LoadedHinge::Tip), None);
+    assert_eq!(burst(&Case { peel: on_both_loops(None), ..case }, &Ring), None);
     let mut spec = paper(5);
     (spec.fabric.seal_strength, spec.load) = (None, None);
     for load in loads(&spec) {

@@ -46,8 +46,12 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// The way of the iron in contact with the piece, every line and pass with its overlap, mm.
-    pub fn way_in_contact(self, spec: &Spec) -> f64 {
+    /// Length of all seams as they are made by `spec`, mm. An iron goes along each line of a seam in every pass, and along a part of a
+    /// loop twice; a press makes each centre line once.
+    pub fn sealed_length(self, spec: &Spec) -> f64 {
+        if spec.press.is_some() {
+            return self.shape().seams.iter().map(|seam| seam.center_line.length()).sum();
+        }
         let of_seam = |seam: &SeamLines| -> f64 {
             let length: f64 = seam.lines.iter().map(|line| line.run().length()).sum();
             f64::from(spec.process(&seam.process).seal.passes) * length

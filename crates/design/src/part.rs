@@ -4,7 +4,8 @@ use crate::placement::footprint;
 use crate::separator::air_of_star;
 use crate::star_seam::star_seam;
 use crate::{
-    Channel, CutLines, MaskPlate, MaskTiles, Outline, PaperSeparator, Refusal, Refusals, SeamLines, Side, Star,
+    Channel, CutLines, MaskPlate, MaskTiles, Outline, PaperSeparator, Refusal, Refusals, SeamLines, Side,
+    Star,
 };
 use geom::{Bounds, Path};
 use sealed::{Port, SealedShape};

@@ -11,18 +11,18 @@
     reason = "firmware reckons in 32 bits, and so does its clock"
 )]
 
-mod controller;
+pub(crate) mod controller;
 mod faults;
 mod grbl;
 mod grid;
-mod judge;
+pub(crate) mod judge;
 mod legs;
 mod marlin;
 mod programs;
 mod sweep;
-mod text;
+pub(crate) mod text;
 mod timer;
-mod track;
+pub(crate) mod track;
 
 use stargrip_cam::resume::{ResumeAt, resume};
 
@@ -39,7 +39,7 @@ const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
 const CONICAL: &str = include_str!("../../../designs/conical-stack.toml");
 
 /// The motors in the profile of a dialect.
-fn own_motors(dialect: &str) -> Motors {
+pub(crate) fn own_motors(dialect: &str) -> Motors {
     let acceleration = match dialect {
         "fluidnc" => 25.0,
         "marlin" => 3000.0,

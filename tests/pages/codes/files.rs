@@ -34,6 +34,8 @@ enum Base {
     Clamped,
     /// Sealed by a heat press.
     Pressed,
+    /// A wait after each seam.
+    Cooled,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -81,6 +83,7 @@ const EDITS: &[Edit] = &[
         "G1 X259.8731 Y224.3576 Z1\nG1 X262.8394 Y228.0206 Z-0.3\n",
     ),
     edit("missing-overlap", SEAL, "G1 X254.1209 Y217.2541\nG1 X256.0089", "G1 X256.0089"),
+    edit_of(Base::Cooled, edit("missing-wait", SEAL, "G4 P3\n", "")),
     edit("transform", SVG, "<path d=", "<path transform=\"scale(1)\" d="),
     edit(
         "late-start",
@@ -165,6 +168,7 @@ fn built(base: Base) -> Built {
         Base::Tiled => "[mask]\nbed = \"220 mm x 220 mm\"\n",
         Base::Clamped => "[machine]\nprofile = \"own.toml\"\n",
         Base::Pressed => "[machine]\nprofile = \"press\"\n",
+        Base::Cooled => "[seal]\ncool = \"3 s\"\n",
     };
     let text = format!("{PAPER}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
@@ -184,6 +188,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Tiled,
         Base::Clamped,
         Base::Pressed,
+        Base::Cooled,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }

@@ -67,7 +67,7 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
     for placed in expected.design.placed() {
         let part = expected.design.part(placed);
         let (name, seams) = (placed.name(), &part.shape().seams);
-        let seam_mm = part.way_in_contact(expected.spec);
+        let seam_mm = part.sealed_length(expected.spec);
         // Older versions wrote no pieces.
         if let Some(piece) = manifest.pieces.iter().find(|piece| piece.name == name.word()) {
             let length: f64 = piece.seams.iter().map(|seam| seam.length_mm).sum();
@@ -87,11 +87,6 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
     findings
 }
 
-/// Length of `seam` as it is made, mm: an iron seals a part of a loop twice, a press nothing.
-fn made_length(expected: &Expected<'_>, seam: &Seam) -> f64 {
-    if expected.spec.press.is_some() { seam.center_line.length() } else { seam.run().length() }
-}
-
 /// Compares with the design the figures that only a gripper of stars has.
 ///
 /// Each star is found by its number and must have its seams' length, its sheet and its clear radius. Posts and plates are
@@ -99,7 +94,7 @@ fn made_length(expected: &Expected<'_>, seam: &Seam) -> f64 {
 fn against_assembly(spec: &Spec, design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     for placed in &design.stars {
-        let seam_mm = FlatPiece::Star(design.part(placed)).way_in_contact(spec);
+        let seam_mm = FlatPiece::Star(design.part(placed)).sealed_length(spec);
         match manifest.stars.iter().find(|star| star.index == placed.index) {
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
                 let clear = design.part(placed).clear_radius();
