@@ -108,7 +108,9 @@ fn star(dice: &mut Dice) -> (String, f64, f64) {
 fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     let name = dice.one_of(&["random", "a \\\"quoted\\\" <name> & ;(x)", "星 é", "x"]);
     let (sections, w, rho) = star(dice);
-    let mut text = format!("schema = 1\nname = \"{name}\"\n{}{sections}", fabric(dice));
+    let (of_star, of_processes) = processes(dice);
+    let mut text =
+        format!("schema = 1\nname = \"{name}\"\n{}{sections}{of_star}{of_processes}", fabric(dice));
     text += &stack(dice, w, rho);
     text += &inlet(dice, w);
     text += &seal(dice, w);
@@ -190,7 +192,36 @@ fn seal(dice: &mut Dice, w: f64) -> String {
     });
     s.maybe(dice, 0.2, "speed", |dice| format!("\"{} mm/s\"", dice.decades(0.05, 20.0)));
     s.maybe(dice, 0.1, "temperature", |dice| format!("\"{} C\"", dice.uniform(50.0, 299.0)));
+    contact(&mut s, dice);
+    s.maybe(dice, 0.1, "tip", |dice| mm(dice.uniform(0.5, 2.0)));
     s.text
+}
+
+/// The keys of [seal] and of its processes that say how often and how high a seam is sealed, and what follows it.
+fn contact(s: &mut Section, dice: &mut Dice) {
+    s.maybe(dice, 0.2, "height", |dice| mm(-dice.uniform(0.0, 1.0)));
+    s.maybe(dice, 0.1, "passes", |dice| (1 + dice.below(3)).to_string());
+    s.maybe(dice, 0.1, "lines", |dice| (1 + dice.below(3)).to_string());
+    s.maybe(dice, 0.2, "cool", |dice| format!("\"{} s\"", dice.uniform(0.0, 30.0)));
+    s.maybe(dice, 0.2, "pause", |dice| format!("{:?}", dice.one_of(&["none", "seam", "piece"])));
+    s.maybe(dice, 0.1, "strength", |dice| format!("\"{} N/mm\"", dice.decades(0.1, 20.0)));
+}
+
+/// The keys of [star] that name processes, and the sections of these.
+fn processes(dice: &mut Dice) -> (String, String) {
+    let (mut of_star, mut sections) = (String::new(), String::new());
+    for (key, name) in [("inner_process", "weak"), ("outer_process", "strong")] {
+        if dice.chance(0.3) {
+            let mut s = Section::new(&format!("[process.{name}]"));
+            s.maybe(dice, 0.5, "temperature", |dice| format!("\"{} C\"", dice.uniform(50.0, 299.0)));
+            s.maybe(dice, 0.5, "speed", |dice| format!("\"{} mm/s\"", dice.decades(0.05, 20.0)));
+            s.maybe(dice, 0.3, "overlap", |dice| mm(dice.uniform(0.0, 20.0)));
+            contact(&mut s, dice);
+            of_star += &format!("{key} = {name:?}\n");
+            sections += &s.text;
+        }
+    }
+    (of_star, sections)
 }
 
 fn mask(dice: &mut Dice, w: f64, rho: f64) -> String {

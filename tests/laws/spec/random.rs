@@ -4,8 +4,8 @@ use proptest::prelude::*;
 use stargrip_cam::spec::key as key_path;
 use stargrip_cam::spec::{KeyPath, Load, Source, Spec, read, read_machine, schema, starter};
 use stargrip_cam::units::{
-    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Quantity,
-    Speed, Temperature,
+    Angle, ArealDensity, BendingStiffness, Duration, Force, Length, LineForce, Mass, Percent, Pressure,
+    Quantity, Speed, Temperature,
 };
 
 use super::{SHORTEST, spec, try_read};
@@ -80,6 +80,8 @@ const KEYS: &[Key] = &[
     key("seal", "overlap", LENGTH, EXTRA, |s, x| s.seal.overlap = Length(x)),
     key("seal", "allowance", LENGTH, EXTRA, |s, x| s.seal.allowance = Length(x)),
     key("seal", "hole_allowance", LENGTH, EXTRA, |s, x| s.seal.hole_allowance = Length(x)),
+    key("seal", "height", LENGTH, (-20.0, 0.0), |s, x| s.seal.height = Some(Length(x))),
+    key("seal", "cool", Duration::KIND.units, (0.0, 3600.0), |s, x| s.seal.cool = Duration(x)),
     key("mask", "extent", LENGTH, SIZE, |s, x| s.mask.extent = Some(Length(x))),
     key("mask", "creep", LENGTH, EXTRA, |s, x| s.mask.creep = Length(x)),
     key("mask", "border", LENGTH, EXTRA, |s, x| s.mask.border = Length(x)),
@@ -115,10 +117,16 @@ const REQUIRED: &[Key] = &[
     key("star", "tip_angle", Angle::KIND.units, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
 ];
 
-/// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter. Those of a
-/// press are refused beside an iron: tests/design/pressed.rs sets them.
-const ELSEWHERE: [KeyPath; 3] =
-    [key_path::mask::BED, key_path::stack::ROTATION, key_path::load::OBJECT_RADIUS];
+/// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no wider
+/// than the band, and either [seal] or [fabric] has the strength. Those of a press are refused beside an iron: tests/design/pressed.rs sets
+/// them.
+const ELSEWHERE: [KeyPath; 5] = [
+    key_path::mask::BED,
+    key_path::stack::ROTATION,
+    key_path::load::OBJECT_RADIUS,
+    key_path::seal::TIP,
+    key_path::seal::STRENGTH,
+];
 
 /// Quantities have patterns in the schema, plain numbers are of the type `number`.
 #[test]
@@ -205,7 +213,7 @@ fn every_range_ends_where_it_is_said_to() {
         }
         // Open ends lie within this distance of those of the table.
         let below = key.low - (0.01 * key.low.abs()).max(2e-9);
-        let above = 1.001 * key.high;
+        let above = key.high + (0.001 * key.high.abs()).max(2e-9);
         for base in [below, above, f64::MAX, -f64::MAX, f64::NAN, f64::INFINITY] {
             let result = try_read(&document_with(key, base));
             assert!(result.is_err(), "{} = {base}", key.name);
