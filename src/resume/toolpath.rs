@@ -242,7 +242,7 @@ impl<'a> Toolpath<'a> {
                         Event::Move(step) => {
                             let timed = self.timed(step, last.as_ref(), stated);
                             let begins = timed.begins + std::mem::take(&mut wait);
-                            done = last.replace(TimedMove { title, begins, ..timed });
+                            done = last.replace(TimedMove { begins, title, ..timed });
                         }
                         Event::Dwell(dwell) => {
                             if let Some(last) = &mut last {

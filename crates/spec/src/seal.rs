@@ -5,7 +5,7 @@
 
 use crate::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
 use crate::fault::{Fault, quoted};
-use crate::profile::CONTACT;
+use crate::profile::{CONTACT, to_micrometres};
 use crate::raw::RawSpec;
 use crate::release_layer::check_ptfe;
 use crate::section::{Reader, Section};
@@ -207,7 +207,7 @@ pub(super) fn read_seal(s: &mut Section<'_, '_>) -> (Seal, Option<LineForce>) {
         overlap: s.length("overlap", EXTRA, 5.0),
         allowance: s.length("allowance", EXTRA, 8.0),
         hole_allowance: s.length("hole_allowance", EXTRA, 1.0),
-        height: s.quantity("height", CONTACT),
+        height: read_height(s),
         passes: s.count("passes", 1, MOST).unwrap_or(1),
         lines: s.count("lines", 1, MOST),
         tip: s.quantity("tip", SIZE),
@@ -288,7 +288,7 @@ fn read_process(s: &mut Section<'_, '_>, name: &str, seal: &Seal) -> ProcessSpec
         name: name.to_owned(),
         temperature: read_temperature(s),
         speed: s.quantity("speed", SEAL_SPEEDS),
-        height: s.quantity("height", CONTACT),
+        height: read_height(s),
         passes: s.count("passes", 1, MOST),
         lines: s.count("lines", 1, MOST),
         overlap: s.quantity("overlap", EXTRA),
@@ -300,6 +300,11 @@ fn read_process(s: &mut Section<'_, '_>, name: &str, seal: &Seal) -> ProcessSpec
         check_lines(s, &Seal { lines: process.lines, ..seal.clone() });
     }
     process
+}
+
+/// The height in contact, in whole micrometres as those of a profile.
+fn read_height(s: &mut Section<'_, '_>) -> Option<Length> {
+    s.quantity("height", CONTACT).map(|Length(mm)| Length(to_micrometres(mm)))
 }
 
 /// The temperature, which the release layer must bear.

@@ -217,7 +217,7 @@ fn processes(dice: &mut Dice) -> (String, String) {
             s.maybe(dice, 0.5, "speed", |dice| format!("\"{} mm/s\"", dice.decades(0.05, 20.0)));
             s.maybe(dice, 0.3, "overlap", |dice| mm(dice.uniform(0.0, 20.0)));
             contact(&mut s, dice);
-            of_star += &format!("{key} = {name:?}\n");
+            let _ = writeln!(of_star, "{key} = {name:?}");
             sections += &s.text;
         }
     }

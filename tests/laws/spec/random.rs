@@ -80,7 +80,9 @@ const KEYS: &[Key] = &[
     key("seal", "overlap", LENGTH, EXTRA, |s, x| s.seal.overlap = Length(x)),
     key("seal", "allowance", LENGTH, EXTRA, |s, x| s.seal.allowance = Length(x)),
     key("seal", "hole_allowance", LENGTH, EXTRA, |s, x| s.seal.hole_allowance = Length(x)),
-    key("seal", "height", LENGTH, (-20.0, 0.0), |s, x| s.seal.height = Some(Length(x))),
+    key("seal", "height", LENGTH, (-20.0, 0.0), |s, x| {
+        s.seal.height = Some(Length((x * 1000.0).round() / 1000.0));
+    }),
     key("seal", "cool", Duration::KIND.units, (0.0, 3600.0), |s, x| s.seal.cool = Duration(x)),
     key("mask", "extent", LENGTH, SIZE, |s, x| s.mask.extent = Some(Length(x))),
     key("mask", "creep", LENGTH, EXTRA, |s, x| s.mask.creep = Length(x)),

@@ -1,7 +1,7 @@
 //! Ramps on which the iron presses past the ends of open seams: it seals there what no seam is drawn on.
 
 use crate::plan::seal::batches;
-use design::{Design, Refusal, RefusalCode};
+use design::{Design, FlatPiece, Refusal, RefusalCode};
 use geom::{Enclosures, Path, Point};
 use sealed::{PlacedPiece, laid_seams};
 use spec::units::Most;
@@ -32,7 +32,7 @@ pub fn pressed_beyond(spec: &Spec, machine: &Machine, design: &Design) -> Option
 /// The lowest height in contact of the processes of `design`, mm.
 fn lowest_contact(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
     let parts = design.firsts().map(|placed| design.part(placed));
-    let processes = parts.flat_map(|part| part.seam_lines()).map(|seam| spec.process(&seam.process));
+    let processes = parts.flat_map(FlatPiece::seam_lines).map(|seam| spec.process(&seam.process));
     let heights = processes.map(|process| process.seal.contact(&machine.process).0);
     heights.fold(f64::INFINITY, f64::min)
 }

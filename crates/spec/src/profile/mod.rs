@@ -28,6 +28,7 @@ use crate::source::Source;
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
 pub use motion::LEAST_ACCELERATION;
 pub use process::CONTACT;
+pub(crate) use process::to_micrometres;
 pub use script::limits_set_by;
 
 /// Longest description, in characters.

@@ -35,7 +35,7 @@ pub(super) fn read_process(
 }
 
 /// Heights are whole micrometres, which every program can state: a program that rounded one would not be at it.
-fn to_micrometres(mm: f64) -> f64 {
+pub(crate) fn to_micrometres(mm: f64) -> f64 {
     (mm * 1000.0).round() / 1000.0
 }
 

@@ -56,7 +56,8 @@ impl Field {
                 .iter()
                 .any(|(section, product)| *product != ProductKind::Stars && *section == key.section());
         // A process has a name of the user's, which no key of a study has.
-        let is_of_process = key.section() == key::process::SPEED.section();
+        let is_of_process = key.section() == key::process::SPEED.section()
+            || [key::star::INNER_PROCESS, key::star::OUTER_PROCESS].contains(&key);
         (key != key::root::SCHEMA
             && !is_of_another_product
             && !is_of_process
