@@ -104,7 +104,7 @@ fn judge(old_text: &str, resumed: &Resumed, overlap: Option<f64>) {
     let farther = if old_text.contains("chop-moves:") { longest_stroke(&old) } else { 0.0 };
     assert!(overlap.is_none_or(|asked| resumed.overlap <= asked + farther + 1e-6), "{resumed:?}");
     assert!(resumed.line >= 1 && resumed.line <= old.lines, "{}", resumed.line);
-    let (area, contact) = (area(&old).grown(0.01), contact(&old));
+    let (area, contact) = (area(&old).outset(0.01), contact(&old));
     let fastest = |program: &Program| {
         let feeds = low(program, contact).map(|step| step.feed.unwrap_or(f64::INFINITY));
         feeds.fold(0.0, f64::max)

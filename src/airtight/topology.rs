@@ -151,11 +151,11 @@ pub(super) fn between_pieces(design: &Design) -> Option<f64> {
     for (i, (sheet, band, around, a)) in pieces.iter().enumerate() {
         for (_, _, other, b) in pieces[i + 1..].iter().filter(|(other, ..)| other == sheet) {
             let reach = |least_distance: Option<f64>| least_distance.unwrap_or(f64::INFINITY).min(1e3) + band;
-            if !around.grown(reach(least_distance)).overlaps(other) {
+            if !around.outset(reach(least_distance)).overlaps(other) {
                 continue;
             }
             for (s, bounds) in a {
-                let zone = bounds.grown(reach(least_distance));
+                let zone = bounds.outset(reach(least_distance));
                 if !zone.overlaps(other) {
                     continue;
                 }

@@ -286,7 +286,7 @@ fn holes_and_labels_lie_on_the_flap() {
             let cuts = piece.part.inside.iter().chain([&piece.part.outside]).map(|path| path.distance(p));
             assert!(seams.fold(f64::INFINITY, f64::min) > from_band - 1e-5, "{name}: {p:?} near a band");
             assert!(cuts.fold(f64::INFINITY, f64::min) > from_cut - 1e-5, "{name}: {p:?} near a cut");
-            assert!(air.around(p).len().is_multiple_of(2), "{name}: {p:?} on the air");
+            assert!(air.enclosing(p).len().is_multiple_of(2), "{name}: {p:?} on the air");
         };
         let [a, b, c] = piece.registration.as_slice() else { panic!("{name}: three holes") };
         for hole in [a, b, c] {

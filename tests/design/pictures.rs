@@ -94,7 +94,7 @@ fn faults(build: &Built) -> Vec<String> {
     for (sheet, picture) in pictures(build) {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet).expect("a sheet");
         let words = words_of(&picture, layout.height);
-        let page = page_of(&picture, layout.height).grown(0.02);
+        let page = page_of(&picture, layout.height).outset(0.02);
         for (i, word) in words.iter().enumerate() {
             if !page.contains(word.bounds.min) || !page.contains(word.bounds.max) {
                 list.push(format!("{:?} leaves the page", word.text));

@@ -116,7 +116,7 @@ proptest! {
     #[test]
     fn bounds_hold_the_segment_tightly(s in segment()) {
         let bounds = s.bounds();
-        let bounds_with_slack = bounds.grown(1e-9);
+        let bounds_with_slack = bounds.outset(1e-9);
         prop_assert!(samples(&s).all(|p| bounds_with_slack.contains(p)));
         let step = s.length() / f64::from(SAMPLES);
         for side in [bounds.min.x - 1.0, bounds.max.x + 1.0] {

@@ -140,8 +140,8 @@ proptest! {
             let (x, y) = (f64::from(i % 20) / 10.0 - 1.0, f64::from(i / 20) / 10.0 - 1.0);
             let q = Point::new(center.x + 10.0 * scale * x, center.y + 10.0 * scale * y);
             let edge = outline.distance(q).min(island.distance(q));
-            let is_air = enclosures.around(q).len() == 1;
-            let is_covered = covered.around(q).len() == 1;
+            let is_air = enclosures.enclosing(q).len() == 1;
+            let is_covered = covered.enclosing(q).len() == 1;
             if is_air && edge > creep + 1e-3 {
                 prop_assert!(is_covered, "{q:?} is air and welds");
             } else if q.distance(mouth) > 40.0 {

@@ -10,7 +10,7 @@ const ROOM: f64 = 1.0;
 pub(super) fn extent(drawing: &Drawing) -> Bounds {
     let parts = drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
     let shapes = parts.flat_map(|(_, shapes)| shapes);
-    shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union).grown(ROOM)
+    shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union).outset(ROOM)
 }
 
 /// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.

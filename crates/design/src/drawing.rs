@@ -143,7 +143,7 @@ impl Shape {
     pub fn bounds(&self) -> Bounds {
         match self {
             Self::Path(path) => path.bounds(),
-            Self::Circle { center, radius } => Bounds::of_points([*center]).grown(*radius),
+            Self::Circle { center, radius } => Bounds::of_points([*center]).outset(*radius),
             Self::Figure(paths) => paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union),
         }
     }
@@ -335,7 +335,7 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     let middle = plate.opening + 0.2 * strip;
     let mut strokes =
         lettering::circular_text(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
-    strokes.push(Path::through(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
+    strokes.push(Path::polyline(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
     strokes
 }
 
@@ -345,7 +345,7 @@ mod tests {
 
     #[test]
     fn of_a_figure_only_what_is_in_the_window_is_shown() {
-        let stroke = |x: f64| Path::through(&[Point::new(x, 0.0), Point::new(x + 1.0, 0.0)]);
+        let stroke = |x: f64| Path::polyline(&[Point::new(x, 0.0), Point::new(x + 1.0, 0.0)]);
         let window = Bounds { min: Point::new(-0.5, -0.5), max: Point::new(4.0, 4.0) };
         let figure = |places: &[f64]| Shape::Figure(places.iter().map(|x| stroke(*x)).collect());
         assert_eq!(figure(&[0.0, 3.0, 6.0]).clipped(&window), Some(figure(&[0.0, 3.0])));

@@ -272,7 +272,7 @@ pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
         let entry = drawing.entry(element.names());
         let path = match &element.figure {
             Figure::Path(path) => path.clone(),
-            Figure::Point(point) => Path::through(&[*point; 2]),
+            Figure::Point(point) => Path::polyline(&[*point; 2]),
         };
         RoledFigure {
             id: element.id.clone(),

@@ -101,8 +101,8 @@ impl JointCut {
         let chord = enclosed_chord(&turned, self.at)?;
         let (total, (_, from), (_, to)) = (turned.length(), chord.low, chord.high);
         let far_end = if to > from { to } else { to + total };
-        let tip = turned.part(from, far_end).then(self.line(&chord, PLAY).reversed());
-        let rest = turned.part(far_end, from + total).then(self.line(&chord, 0.0));
+        let tip = turned.part(from, far_end).chain(self.line(&chord, PLAY).reversed());
+        let rest = turned.part(far_end, from + total).chain(self.line(&chord, 0.0));
         let back = Isometry::rotation(self.ray);
         Some((back.path(&Path { closed: true, ..tip }), back.path(&Path { closed: true, ..rest })))
     }

@@ -124,6 +124,6 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
 /// A double arrow along X.
 pub(super) fn arrow(middle: Point, half: f64) -> Vec<Path> {
     let point = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
-    let head = |x: f64| Path::through(&[point(0.6 * x, 0.4), point(x, 0.0), point(0.6 * x, -0.4)]);
-    vec![Path::through(&[point(-1.0, 0.0), point(1.0, 0.0)]), head(-1.0), head(1.0)]
+    let head = |x: f64| Path::polyline(&[point(0.6 * x, 0.4), point(x, 0.0), point(0.6 * x, -0.4)]);
+    vec![Path::polyline(&[point(-1.0, 0.0), point(1.0, 0.0)]), head(-1.0), head(1.0)]
 }

@@ -101,7 +101,7 @@ pub(super) fn glyph(c: char, origin: Point, baseline: Vec2, height: f64) -> impl
     let grid_point = move |[x, y]: [u8; 2]| origin + right * f64::from(x) + upward * f64::from(y);
     strokes(c)
         .into_iter()
-        .map(move |stroke| Path::through(&stroke.into_iter().map(grid_point).collect::<Vec<_>>()))
+        .map(move |stroke| Path::polyline(&stroke.into_iter().map(grid_point).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]

@@ -269,12 +269,12 @@ impl TileGrid<'_> {
         for (corner, inwards) in corners {
             // A millimetre clear of the window.
             let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
-            strokes.push(Path::through(&[corner - x * 1.0, corner - x * MARKS]));
-            strokes.push(Path::through(&[corner - y * 1.0, corner - y * MARKS]));
+            strokes.push(Path::polyline(&[corner - x * 1.0, corner - x * MARKS]));
+            strokes.push(Path::polyline(&[corner - y * 1.0, corner - y * MARKS]));
             if self.columns * self.rows > 1.0 && !self.alone {
                 let middle = corner + inwards * (OVERLAP / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
-                    strokes.push(Path::through(&[middle - arm, middle + arm]));
+                    strokes.push(Path::polyline(&[middle - arm, middle + arm]));
                 }
             }
         }
@@ -284,11 +284,11 @@ impl TileGrid<'_> {
 
     /// Ruler, check square and name.
     fn foot(&self, name: &str, strokes: &mut Vec<Path>) {
-        strokes.push(Path::through(&[foot_point(0.0, 2.0), foot_point(100.0, 2.0)]));
+        strokes.push(Path::polyline(&[foot_point(0.0, 2.0), foot_point(100.0, 2.0)]));
         for centimetre in 0_u32..=10 {
             let x = 10.0 * f64::from(centimetre);
             let tall = if centimetre.is_multiple_of(5) { 5.0 } else { 3.0 };
-            strokes.push(Path::through(&[foot_point(x, 2.0), foot_point(x, 2.0 + tall)]));
+            strokes.push(Path::polyline(&[foot_point(x, 2.0), foot_point(x, 2.0 + tall)]));
         }
         strokes.extend(lettering::lettered("100 MM", foot_point(76.0, 6.0), 2.5));
         strokes.push(Path::rectangle(&Bounds { min: foot_point(110.0, 0.0), max: foot_point(130.0, 20.0) }));
@@ -396,7 +396,7 @@ mod tests {
                 let marks = page.drawing.layers.iter().filter(|(layer, _)| *layer == Layer::PaperMark);
                 for shape in marks.flat_map(|(_, shapes)| shapes) {
                     let bounds = shape.bounds().union(page.window);
-                    let printable = paper.grown(-WHITE + 1e-9);
+                    let printable = paper.outset(-WHITE + 1e-9);
                     assert!(
                         printable.contains(bounds.min) && printable.contains(bounds.max),
                         "{bounds:?} of {w} x {h}"

@@ -111,7 +111,7 @@ fn extent(design: &Design, piece: &PlacedPart) -> Bounds {
         .cut(crate::CutEdge::Part)
         .holes
         .iter()
-        .map(|hole| Bounds::of_points([hole.center]).grown(hole.diameter / 2.0 + AROUND_HOLE));
+        .map(|hole| Bounds::of_points([hole.center]).outset(hole.diameter / 2.0 + AROUND_HOLE));
     edges.map(geom::Path::bounds).chain(holes).fold(Bounds::EMPTY, Bounds::union)
 }
 

@@ -172,8 +172,8 @@ pub(super) fn footprint(shape: &SealedShape, tool_path: &Path, ramp: f64) -> Bou
     shape
         .seams
         .iter()
-        .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
-        .map(|bounds| bounds.grown(shape.band / 2.0))
+        .map(|seam| seam.run().chain(seam.lead_in(ramp)).chain(seam.lead_out(ramp)).bounds())
+        .map(|bounds| bounds.outset(shape.band / 2.0))
         .fold(tool_path.bounds(), Bounds::union)
 }
 

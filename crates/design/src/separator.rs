@@ -69,7 +69,7 @@ fn label(tongue: &Tongue, text: &str) -> Vec<Path> {
     if height < LABEL_HEIGHTS.0 {
         return Vec::new();
     }
-    let inwards = -tongue.out;
+    let inwards = -tongue.outwards;
     let start = tongue.end + inwards * height - inwards.perp() * (height / 2.0);
     let motion = Isometry { shift: start - Point::ORIGIN, ..Isometry::rotation(inwards.angle()) };
     lettering::lettered(text, Point::ORIGIN, height).iter().map(|path| motion.path(path)).collect()
@@ -82,7 +82,7 @@ pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Chann
     let tongue = channel.map(|channel| Tongue {
         port: 0,
         end: channel.mouth_center(star),
-        out: Vec2::unit(star.tip_ray(channel.tip)),
+        outwards: Vec2::unit(star.tip_ray(channel.tip)),
         width: 2.0 * channel.half_width,
         length: channel.mouth - star.tip_reach(),
     });

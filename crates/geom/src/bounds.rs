@@ -41,8 +41,8 @@ impl Bounds {
         }
     }
 
-    /// The box grown by `margin` on every side.
-    pub fn grown(self, margin: f64) -> Self {
+    /// The box with `margin` more on every side; a negative margin takes away.
+    pub fn outset(self, margin: f64) -> Self {
         let v = Vec2::new(margin, margin);
         Self { min: self.min - v, max: self.max + v }
     }

@@ -28,14 +28,14 @@ impl Enclosures {
                 pieces[i].1[1] = pieces[next].1[0];
             }
         }
-        let bounds = |(piece, ends, _): &(Segment, [Point; 2], usize)| piece.bounds_of(*ends);
-        let index = BoxIndex::new(pieces.iter().map(bounds));
-        let right = pieces.iter().map(|piece| bounds(piece).max.x).fold(f64::NEG_INFINITY, f64::max);
+        let boxes: Vec<Bounds> = pieces.iter().map(|(piece, ends, _)| piece.bounds_of(*ends)).collect();
+        let right = boxes.iter().map(|bounds| bounds.max.x).fold(f64::NEG_INFINITY, f64::max);
+        let index = BoxIndex::new(boxes.into_iter());
         Self { pieces, index, right }
     }
 
     /// The numbers of the paths that enclose `p` (an odd number of times), ascending.
-    pub fn around(&self, p: Point) -> Vec<usize> {
+    pub fn enclosing(&self, p: Point) -> Vec<usize> {
         let ray = Bounds { min: p, max: Point::new(self.right.max(p.x), p.y) };
         let mut crossed: Vec<usize> = Vec::new();
         self.index.visit(&ray, |i| {

@@ -34,14 +34,14 @@ impl BoxIndex {
     }
 
     /// Whether `is` is true for the number of any box that shares a point with `zone`. The search stops at the first such box.
-    pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
+    pub fn any_overlapping(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
         let mut see = |number| if is(number) { Err(()) } else { Ok(()) };
         let Bounds { min, max } = zone;
         self.0.as_ref().is_some_and(|tree| tree.visit_query(min.x, min.y, max.x, max.y, &mut see).is_err())
     }
 
     /// The least `distance` from `p` of the items in the boxes; infinite if there is none. No item is nearer than its box.
-    pub fn least(&self, p: Point, mut distance: impl FnMut(usize) -> f64) -> f64 {
+    pub fn least_distance(&self, p: Point, mut distance: impl FnMut(usize) -> f64) -> f64 {
         let mut shortest = f64::INFINITY;
         // Bound on the rounding of a squared distance.
         let slack = 1.0 + 1e-12;
@@ -74,8 +74,8 @@ impl SegmentIndex {
 
     /// Whether one of them is nearer to `p` than `distance`.
     pub fn has_within(&self, p: Point, distance: f64) -> bool {
-        let zone = Bounds::of_points([p]).grown(distance);
-        self.index.any(&zone, |number| self.segments[number].distance(p) < distance)
+        let zone = Bounds::of_points([p]).outset(distance);
+        self.index.any_overlapping(&zone, |number| self.segments[number].distance(p) < distance)
     }
 }
 
@@ -124,10 +124,10 @@ impl GrowingIndex {
     }
 
     /// Whether `is` is true for the number of any box that shares a point with `zone`.
-    pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
+    pub fn any_overlapping(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
         let latest = self.boxes.iter().enumerate().skip(self.indexed);
         latest.filter(|(_, bounds)| zone.overlaps(bounds)).any(|(number, _)| is(number))
-            || self.index.any(zone, is)
+            || self.index.any_overlapping(zone, is)
     }
 }
 
@@ -150,31 +150,37 @@ mod tests {
         {
             let expected = boxes.iter().map(|bounds| bounds.distance(p)).fold(f64::INFINITY, f64::min);
             let mut calls = 0;
-            let distance = index.least(p, |number| {
+            let distance = index.least_distance(p, |number| {
                 calls += 1;
                 boxes[number].distance(p)
             });
             assert!(distance == expected && calls < 30, "{distance} is not {expected}, by {calls}");
         }
-        assert_eq!(BoxIndex::default().least(Point::ORIGIN, |_| 0.0), f64::INFINITY);
+        assert_eq!(BoxIndex::default().least_distance(Point::ORIGIN, |_| 0.0), f64::INFINITY);
     }
 
     #[test]
     fn a_growing_index_knows_what_is_in_it() {
         let mut index = GrowingIndex::default();
         for i in 0..300 {
-            assert!(!index.any(&staircase(i), |_| true), "{i}");
+            assert!(!index.any_overlapping(&staircase(i), |_| true), "{i}");
             index.push(staircase(i));
             assert!(
-                (0..=i).all(|known| index.any(&staircase(known), |number| number == known as usize)),
+                (0..=i)
+                    .all(|known| index.any_overlapping(&staircase(known), |number| number == known as usize)),
                 "{i}"
             );
         }
         index.truncate(40);
         assert!(
-            index.any(&staircase(39), |_| true) && !index.any(&staircase(40), |_| true) && index.len() == 40
+            index.any_overlapping(&staircase(39), |_| true)
+                && !index.any_overlapping(&staircase(40), |_| true)
+                && index.len() == 40
         );
         index.push(staircase(70));
-        assert!(index.any(&staircase(70), |number| number == 40) && !index.any(&staircase(0), |_| false));
+        assert!(
+            index.any_overlapping(&staircase(70), |number| number == 40)
+                && !index.any_overlapping(&staircase(0), |_| false)
+        );
     }
 }

@@ -113,7 +113,7 @@ pub fn path_distance(a: &Path, b: &Path) -> f64 {
     for s in &a.segments {
         let bounds = s.bounds();
         for (t, other) in b.segments.iter().zip(&boxes) {
-            if bounds.grown(best).overlaps(other) {
+            if bounds.outset(best).overlaps(other) {
                 best = best.min(segment_distance(s, t));
             }
         }

@@ -25,7 +25,7 @@ impl Path {
     }
 
     /// An open path of straight lines from each of `points` to the next.
-    pub fn through(points: &[Point]) -> Self {
+    pub fn polyline(points: &[Point]) -> Self {
         Self::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
     }
 
@@ -139,7 +139,7 @@ impl Path {
     }
 
     /// The path followed by `other`.
-    pub fn then(mut self, other: Self) -> Self {
+    pub fn chain(mut self, other: Self) -> Self {
         self.segments.extend(other.segments);
         self
     }

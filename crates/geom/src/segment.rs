@@ -73,7 +73,7 @@ impl Segment {
     }
 
     /// The segment with other ends; an arc keeps the turn between them, or stays as it is where no arc has such ends.
-    pub fn between(&self, start: Point, end: Point) -> Self {
+    pub fn with_ends(&self, start: Point, end: Point) -> Self {
         match self {
             Self::Line(_) => Line::new(start, end).into(),
             Self::Arc(arc) => Arc::from_bulge(start, end, arc.bulge()).map_or(*self, Self::Arc),

@@ -256,7 +256,7 @@ pub(super) fn opened_bands(
     mouths: &[Mouth],
     rules: &Rules,
 ) -> Vec<Band> {
-    let bounds = path.bounds().grown(ON_SIDE);
+    let bounds = path.bounds().outset(ON_SIDE);
     let mut parts = vec![path];
     for mouth in mouths {
         let lateral = mouth.half + rules.band / 2.0;

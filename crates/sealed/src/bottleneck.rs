@@ -88,7 +88,7 @@ pub(crate) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
         if compared > MOST_PAIRS {
             return Err(Crowd(a.middle));
         }
-        index.visit(&a.segment.bounds_of(a.ends).grown(limit), |j| {
+        index.visit(&a.segment.bounds_of(a.ends).outset(limit), |j| {
             compared += 1;
             if j <= i || !may_face(a, &parts[j], limit) {
                 return;

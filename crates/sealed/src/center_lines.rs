@@ -89,7 +89,7 @@ fn shared_stretches(
     let index = BoxIndex::new(parallels.iter().map(Segment::bounds));
     let mut stretches = Vec::new();
     for (i, line) in parallels.iter().enumerate() {
-        index.visit(&line.bounds().grown(join), |j| {
+        index.visit(&line.bounds().outset(join), |j| {
             let other = &parallels[j];
             let Some((from, to)) = (j < i).then(|| shared(line, other, join)).flatten() else { return };
             let middle = line.point(f64::midpoint(from, to));

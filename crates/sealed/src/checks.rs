@@ -98,7 +98,7 @@ fn neck_kind(
         return Some(NeckKind::Overlap);
     }
     let is_past_mouth = neck.points.iter().any(|p| channels.iter().any(|channel| channel.has_past_mouth(*p)));
-    let in_air = !is_past_mouth && air.around(neck.middle()).len() % 2 == 1;
+    let in_air = !is_past_mouth && air.enclosing(neck.middle()).len() % 2 == 1;
     match () {
         () if !in_air => None,
         () if tube < 2.0 * rules.band - ALIKE => Some(NeckKind::Tube),

@@ -107,7 +107,7 @@ fn unsealed_places(edge: &Path, bands: &Bands, segments: &Segments, rules: &Rule
     let mut unsealed = Vec::new();
     for place in inward_places(edge).filter(is_drawn) {
         let mut nearest = (f64::INFINITY, 0);
-        let distance = segments.index.least(place, |i| {
+        let distance = segments.index.least_distance(place, |i| {
             let distance = segments.list[i].segment.distance(place);
             if distance < nearest.0 {
                 nearest = (distance, segments.list[i].path);

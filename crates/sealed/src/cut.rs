@@ -154,12 +154,12 @@ fn cuts_in_bands(cuts: &CutPaths, ports: &[DrawnPort], rules: &Rules, bands: &Ba
             faults.push(cut_in_band(names, &approach, remedy, half));
         }
         let (place, _) = side_points(&cut.path, 1e-6);
-        if is_inner && outline.around(place).is_empty() && !cuts.outlines.is_empty() {
+        if is_inner && outline.enclosing(place).is_empty() && !cuts.outlines.is_empty() {
             let finding = format!("{} lies outside of the cut", Quoted(names));
             let fault = ShapeFault::new(ShapeCode::CutInBand, place, finding, "move it inside");
             faults.push(ShapeFault { names: names.clone(), ..fault });
         }
-        if is_inner && air.around(place).len() % 2 == 1 {
+        if is_inner && air.enclosing(place).len() % 2 == 1 {
             let is_on_edge = bands.closed.iter().any(|edge| edge.distance(place) <= half + rules.join);
             let region = if is_on_edge { "on the edge of the air" } else { "in the air" };
             let finding = format!("{} lies {region}", Quoted(names));
@@ -231,7 +231,7 @@ fn seams_outside(cuts: &CutPaths, bands: &Bands) -> Vec<ShapeFault> {
     let outline = Enclosures::new(cuts.outlines.iter().map(|cut| &cut.path));
     for band in &bands.list {
         let (place, _) = side_points(&band.path, 1e-6);
-        if outline.around(place).is_empty() {
+        if outline.enclosing(place).is_empty() {
             let finding = format!("the seam of {} lies outside of the cut", Quoted(&band.names));
             let fault = ShapeFault::new(ShapeCode::CutInBand, place, finding, "draw the cut around it");
             faults.push(ShapeFault { names: band.names.clone(), ..fault });

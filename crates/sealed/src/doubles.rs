@@ -87,7 +87,7 @@ pub(crate) fn without_doubles(pieces: Vec<Piece>, join: f64) -> Result<(Vec<Piec
     let mut pairs = 0;
     for (number, i) in single.iter().enumerate() {
         let part = &parts[*i];
-        let _ = index.any(&part.segment.bounds().grown(join), |other| {
+        let _ = index.any_overlapping(&part.segment.bounds().outset(join), |other| {
             pairs += 1;
             if other >= number || pairs > MOST_PAIRS {
                 return pairs > MOST_PAIRS;

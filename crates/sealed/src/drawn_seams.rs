@@ -102,7 +102,7 @@ fn without_edge_gaps(mut welds: Vec<NamedPath>, bands: &Bands, rules: &Rules) ->
             let mut way = if is_start { path.reversed() } else { path.clone() };
             let Some(last) = way.segments.last_mut() else { continue };
             let end = last.end();
-            let candidates = edges.overlapping(Bounds::of_points([end]).grown(rules.join));
+            let candidates = edges.overlapping(Bounds::of_points([end]).outset(rules.join));
             let feet = candidates.map(|edge| edge.segment.point(edge.segment.nearest_fraction(end)));
             let feet = feet.map(|foot| (foot.distance(end), foot)).filter(|(gap, _)| *gap <= rules.join);
             let Some((gap, foot)) = feet.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };

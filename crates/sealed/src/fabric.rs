@@ -31,7 +31,7 @@ pub(super) fn narrow_fabric(
     let mut necks = notes.unless_crowded(bottlenecks(&curves, two_bands - 1e-6));
     necks.retain(|neck| {
         let is_wall = (neck.width - rules.band).abs() <= rules.join;
-        let is_fabric = air.around(neck.middle()).len().is_multiple_of(2);
+        let is_fabric = air.enclosing(neck.middle()).len().is_multiple_of(2);
         is_fabric && (!is_wall || channel_behind(neck, opened, two_bands).is_some())
     });
     let places = narrow_places(necks, &curves, two_bands);

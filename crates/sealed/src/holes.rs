@@ -25,7 +25,7 @@ pub(super) struct CutPaths {
 pub(super) fn cuts_around_bands(cuts: &CutPaths, bands: &Bands, earlier: &[ShapeFault]) -> Vec<ShapeFault> {
     let enclosures = Enclosures::new(cuts.inner.iter().map(|cut| &cut.path));
     let mut numbers: Vec<usize> =
-        bands.list.iter().flat_map(|band| enclosures.around(side_points(&band.path, 1e-6).0)).collect();
+        bands.list.iter().flat_map(|band| enclosures.enclosing(side_points(&band.path, 1e-6).0)).collect();
     numbers.sort_unstable();
     numbers.dedup();
     let mut faults: Vec<ShapeFault> = Vec::new();

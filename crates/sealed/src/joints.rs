@@ -67,8 +67,8 @@ impl Joints {
     }
 
     /// Whether an end of a seam lies on another band or at a port.
-    pub(super) fn is_shut(&self, seam: usize, which: usize) -> bool {
-        self.joined[seam][which] || self.mouths.iter().any(|mouth| mouth.seams.contains(&(seam, which)))
+    pub(super) fn is_shut(&self, seam: usize, side: usize) -> bool {
+        self.joined[seam][side] || self.mouths.iter().any(|mouth| mouth.seams.contains(&(seam, side)))
     }
 
     /// The width between the bands at a port, mm.
@@ -100,10 +100,10 @@ fn mouths(shape: &SealedShape, free: &[SeamEnd]) -> Vec<MouthEnds> {
     for (number, Port { at: port, width }) in shape.ports.iter().enumerate() {
         let distance_apart = width + shape.band;
         let reach = distance_apart.max(LONGEST_OVERRUN);
-        let zone = Bounds::of_points([*port]).grown(reach);
+        let zone = Bounds::of_points([*port]).outset(reach);
         let neighbours = middle_index.overlapping(&zone).into_iter().map(|i| [i, i + 1]);
         let of_one_seam = neighbours.filter(|[i, j]| free[*i].seam == free[*j].seam);
-        let near_ends = index.overlapping(&zone.grown(reach));
+        let near_ends = index.overlapping(&zone.outset(reach));
         let of_two_seams = near_ends.iter().flat_map(|i| near_ends.iter().map(move |j| [*i, *j]));
         let pair = |ends: [usize; 2]| {
             let [a, b] = ends.map(|end| free[end].place);

@@ -56,7 +56,7 @@ pub(super) fn loose_ends(
             continue;
         }
         let place = places[i];
-        let zone = Bounds::of_points([place]).grown(WIDEST_GAP);
+        let zone = Bounds::of_points([place]).outset(WIDEST_GAP);
         let candidates = ends.overlapping(&zone).into_iter().filter(|j| *j != i && !is_paired[*j]);
         let candidates = candidates.map(|j| (places[j].distance(place), j));
         let other_end = candidates.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(gap, _)| *gap <= WIDEST_GAP);
@@ -194,7 +194,7 @@ impl Network {
 
     /// The segments of `edge` within a gap's width of `place`.
     fn segments_near(&self, edge: usize, place: Point) -> Vec<Segment> {
-        let zone = Bounds::of_points([place]).grown(WIDEST_GAP);
+        let zone = Bounds::of_points([place]).outset(WIDEST_GAP);
         let Path { segments, .. } = &self.edges[edge].path;
         segments.iter().filter(|segment| segment.bounds().overlaps(&zone)).copied().collect()
     }

@@ -16,7 +16,7 @@ pub(crate) struct Mouth {
     /// The middle of the mouth: on the cut.
     pub at: Point,
     /// Outwards, of length 1.
-    pub out: Vec2,
+    pub outwards: Vec2,
     /// Half the width between the air's edges, mm.
     pub half: f64,
     /// Distance of the mouth from the drawn edge, mm.
@@ -31,7 +31,7 @@ impl Mouth {
     /// `p` from the middle of the mouth: how far along the way out, and how far to its left.
     pub(crate) fn local(&self, p: Point) -> (f64, f64) {
         let offset = p - self.at;
-        (offset.dot(self.out), offset.dot(self.out.perp()))
+        (offset.dot(self.outwards), offset.dot(self.outwards.perp()))
     }
 
     /// Whether the corner `p` of a centre line `half` mm outside the air is one where the channel itself begins or ends.
@@ -63,7 +63,7 @@ impl Mouth {
 
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(crate) fn point(&self, along: f64, across: f64) -> Point {
-        self.at + self.out * along + self.out.perp() * across
+        self.at + self.outwards * along + self.outwards.perp() * across
     }
 
     /// The distance past the mouth from which `path` runs along both sides of the channel, `lateral` mm from its middle: 0 where it does at
@@ -115,9 +115,9 @@ pub(crate) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], overrun: f6
     }
     let middle = ends[0].midpoint(ends[1]);
     let half = ends[0].distance(ends[1]) / 2.0;
-    let mouth = Mouth { port, at: middle, out: outwards, half, length: 0.0, beyond: overrun, depth: 1.0 };
+    let mouth = Mouth { port, at: middle, outwards, half, length: 0.0, beyond: overrun, depth: 1.0 };
     let corners = ends.map(|end| end + outwards * overrun);
-    (Path::through(&[ends[0], corners[0], corners[1], ends[1]]), mouth)
+    (Path::polyline(&[ends[0], corners[0], corners[1], ends[1]]), mouth)
 }
 
 /// The reason why a port has no channel.
@@ -188,7 +188,7 @@ pub(super) fn channel(
 ) -> Result<(Path, Mouth), NoChannel> {
     let ChannelSize { width, length, overrun } = size;
     let port_foot = foot(original, place, width)?;
-    let Foot { place: middle, out: outwards } = port_foot;
+    let Foot { place: middle, outwards } = port_foot;
     // The channel of another port has taken the edge there.
     let on_path = path.nearest(middle).filter(|nearest| nearest.distance < 1e-6);
     let s = on_path.ok_or(NoChannel::Beside)?.s;
@@ -209,7 +209,7 @@ pub(super) fn channel(
     }
     let corners =
         [end, port_foot.point(-half, length + overrun), port_foot.point(half, length + overrun), start];
-    let lines = Path::through(&corners).segments;
+    let lines = Path::polyline(&corners).segments;
     let meetings =
         lines.iter().flat_map(|line| original.segments.iter().flat_map(|edge| intersections(edge, line)));
     let meetings = meetings.filter(|p| p.distance(start).min(p.distance(end)) > 1e-6);
@@ -221,7 +221,7 @@ pub(super) fn channel(
     let mouth = Mouth {
         port,
         at: port_foot.point(0.0, length),
-        out: outwards,
+        outwards,
         half,
         length,
         beyond: overrun,
@@ -235,18 +235,18 @@ pub(super) fn channel(
 struct Foot {
     place: Point,
     /// The way out, of length 1.
-    out: Vec2,
+    outwards: Vec2,
 }
 
 impl Foot {
     /// The point `lateral` mm to the left of the foot and `distance` mm out.
     fn point(&self, lateral: f64, distance: f64) -> Point {
-        self.place + self.out.perp() * lateral + self.out * distance
+        self.place + self.outwards.perp() * lateral + self.outwards * distance
     }
 
     /// How far out `p` lies from the foot, mm.
     fn distance(&self, p: Point) -> f64 {
-        (p - self.place).dot(self.out)
+        (p - self.place).dot(self.outwards)
     }
 
     /// The largest width that the path has to both sides of `s`, roughly, mm.
@@ -259,7 +259,7 @@ impl Foot {
         let total = path.length();
         let stations = (0..100).map(|i| s + sign * total * f64::from(i) / 200.0);
         let points = stations.map(|s| path.point_at(s.rem_euclid(total)).unwrap_or(self.place));
-        points.map(|p| sign * (p - self.place).dot(self.out.perp())).fold(0.0, f64::max)
+        points.map(|p| sign * (p - self.place).dot(self.outwards.perp())).fold(0.0, f64::max)
     }
 }
 
@@ -273,7 +273,7 @@ fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<Foot, NoChannel> {
                 let t = segment.nearest_fraction(*p);
                 let way = (*b - *a).normalized();
                 let leads_outwards = segment.tangent(t).cross(way) < 0.0;
-                return Ok(Foot { place: *p, out: if leads_outwards { way } else { -way } });
+                return Ok(Foot { place: *p, outwards: if leads_outwards { way } else { -way } });
             }
         }
     }
@@ -285,7 +285,7 @@ fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<Foot, NoChannel> {
     let last_stretch = path.part(nearest.s - 1e-6, nearest.s);
     let arriving = last_stretch.tangent_at(0.0).unwrap_or(leaving);
     let outwards = -(leaving + arriving).perp().normalized();
-    Ok(Foot { place: nearest.point, out: outwards })
+    Ok(Foot { place: nearest.point, outwards })
 }
 
 /// The arc length at which the path, from `s` on, first lies `half` to the side `across` of `middle`.

@@ -152,7 +152,7 @@ impl Groups {
         let index = BoxIndex::new(ends.iter().map(|end| Bounds::of_points([end.place])));
         let mut near_ends = DisjointSets::new(ends.len());
         for (i, end) in ends.iter().enumerate() {
-            for j in index.overlapping(&Bounds::of_points([end.place]).grown(join)) {
+            for j in index.overlapping(&Bounds::of_points([end.place]).outset(join)) {
                 if j < i && ends[j].place.distance(end.place) <= join {
                     near_ends.unite(i, j);
                 }
@@ -223,7 +223,7 @@ fn touches(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> V
         let PieceEnd { piece: toucher, place: end_place, .. } = ends[members[0]];
         let mut nearest: Vec<Touch> = Vec::new();
         for PathSegment { path: piece, before: length_before, segment, .. } in
-            segments.overlapping(Bounds::of_points([end_place]).grown(join))
+            segments.overlapping(Bounds::of_points([end_place]).outset(join))
         {
             let (piece, t) = (*piece, segment.nearest_fraction(end_place));
             let place = segment.point(t);

@@ -64,7 +64,7 @@ impl ParallelCuts {
             });
             // An end that misses another parallel by rounding lies on it.
             for end in [line.start(), line.end()] {
-                index.visit(&Bounds::of_points([end]).grown(ONE), |j| {
+                index.visit(&Bounds::of_points([end]).outset(ONE), |j| {
                     let fraction = parallels[j].nearest_fraction(end);
                     if i != j && parallels[j].point(fraction).distance(end) <= ONE {
                         cuts.places[j].push((fraction, end));
@@ -102,7 +102,7 @@ impl ParallelCuts {
         for (end, place) in stretch.ends.iter().enumerate() {
             let (line, number) = (stretch.lines[0], numbers[0][end]);
             self.alike.push([[line, number], [stretch.lines[1], numbers[1][end]]]);
-            index.visit(&Bounds::of_points([*place]).grown(reach), |parallel| {
+            index.visit(&Bounds::of_points([*place]).outset(reach), |parallel| {
                 for (cut, (_, other)) in self.places[parallel].iter().enumerate() {
                     if other.distance(*place) <= reach {
                         self.alike.push([[parallel, cut], [line, number]]);
@@ -243,7 +243,7 @@ fn clusters(places: &[Point], alike: &[[usize; 2]]) -> Vec<usize> {
         nodes.unite(*i, *j);
     }
     for (i, place) in places.iter().enumerate() {
-        index.visit(&Bounds::of_points([*place]).grown(ONE), |j| {
+        index.visit(&Bounds::of_points([*place]).outset(ONE), |j| {
             if j < i && places[j].distance(*place) <= ONE {
                 nodes.unite(i, j);
             }

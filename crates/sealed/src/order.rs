@@ -153,8 +153,8 @@ mod tests {
     use geom::{Arc, Line as Chord};
 
     fn band(kind: BandKind, name: &str, x: f64, y: f64) -> Band {
-        let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
-        let corners = [p(0.0, 0.0), p(9.0, 0.0), p(9.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
+        let corners = [[0.0, 0.0], [9.0, 0.0], [9.0, 4.0], [0.0, 4.0], [0.0, 0.0]]
+            .map(|[dx, dy]| Point::new(x + dx, y + dy));
         let segments = corners.windows(2).map(|pair| Chord::new(pair[0], pair[1]).into()).collect();
         let closed = matches!(kind, BandKind::Outer | BandKind::Island);
         let path = if closed { Path::closed(segments) } else { Path::open(segments[..1].to_vec()) };
@@ -192,15 +192,15 @@ mod tests {
 
     #[test]
     fn names_can_stand_in_a_program_and_differ() {
-        let named = |kind, name| band(kind, name, 0.0, 0.0);
         let bands = [
-            named(BandKind::Weld, "a b;c"),
-            named(BandKind::Weld, "a b;c"),
-            named(BandKind::Weld, "12"),
-            named(BandKind::Island, ""),
-            named(BandKind::Outer, "(x"),
-            named(BandKind::Outer, ""),
-        ];
+            (BandKind::Weld, "a b;c"),
+            (BandKind::Weld, "a b;c"),
+            (BandKind::Weld, "12"),
+            (BandKind::Island, ""),
+            (BandKind::Outer, "(x"),
+            (BandKind::Outer, ""),
+        ]
+        .map(|(kind, name)| band(kind, name, 0.0, 0.0));
         assert_eq!(seam_names(&bands), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
     }
 }

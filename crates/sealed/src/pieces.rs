@@ -116,7 +116,7 @@ pub(crate) fn with_end(segment: &Segment, end: Point) -> Segment {
     if segment.end().distance(end) < 1e-11 {
         return *segment;
     }
-    segment.between(segment.start(), end)
+    segment.with_ends(segment.start(), end)
 }
 
 /// The segment with another start.

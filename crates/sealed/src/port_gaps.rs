@@ -68,7 +68,7 @@ pub(super) fn port_gaps(
             } else {
                 notes.faults.push(open_outline(ends, edge_names, port, widest));
             }
-            Path::through(&ends)
+            Path::polyline(&ends)
         };
         closings.push(Piece { path, source: a.source });
         let [a, b] = pair;
@@ -92,7 +92,7 @@ fn free_ends(edges: &Network) -> Vec<FreeEnd> {
 /// Whether a port lies in the gap between two free ends, and on no edge: its line crosses the gap, or its middle is nearer to the middle of
 /// the gap than the ends are.
 fn lies_between(port: &PortPlace, ends: [Point; 2], edges: &Network) -> bool {
-    let gap = Path::through(&ends);
+    let gap = Path::polyline(&ends);
     let place = port.middle();
     let in_gap = ends[0].midpoint(ends[1]).distance(place) <= gap.length() / 2.0;
     let mut paths = edges.edges.iter().map(|edge| &edge.path);

@@ -270,7 +270,7 @@ mod tests {
                     p(0.0, half),
                     p(-length, half + 0.5 * flare),
                 ];
-                for path in [Path::through(&ends), Path::polygon(&ends)] {
+                for path in [Path::polyline(&ends), Path::polygon(&ends)] {
                     let air = vec![DrawnCurve { name: "edge".to_owned(), path }];
                     let place = PortPlace::Across([p(-length - 3.0, 0.0), p(0.4 - length, 0.0)]);
                     let ports = vec![DrawnPort { name: "port".to_owned(), place }];

@@ -58,7 +58,7 @@ struct Depth {
 impl Depth {
     /// Number of the curves around `p`. Around a connected part lie as many as its drawn closed curves there, at least one.
     fn count(&self, p: Point) -> usize {
-        let numbers = self.enclosures.around(p);
+        let numbers = self.enclosures.enclosing(p);
         let mut depth = 0;
         for number in &numbers {
             depth += match self.curves[*number] {
@@ -208,7 +208,7 @@ pub(crate) fn depth(enclosures: &Enclosures, path: &Path) -> usize {
 /// The numbers of the closed paths in `enclosures`, other than itself, around the closed `path`.
 pub(crate) fn enclosing(enclosures: &Enclosures, path: &Path) -> Vec<usize> {
     let (_, sides) = side_points(path, 1e-6);
-    let [left, right] = sides.map(|side| enclosures.around(side));
+    let [left, right] = sides.map(|side| enclosures.enclosing(side));
     if left.len() <= right.len() { left } else { right }
 }
 

@@ -63,7 +63,7 @@ fn straight_in(path: &Path, length: f64) -> Path {
     let direction = path.segments.iter().find(|segment| segment.length() > 0.01).or(path.segments.first());
     let (Some(start), Some(first)) = (path.start(), direction) else { return Path::default() };
     let tangent = first.tangent(0.0);
-    Path::through(&[start - tangent * length, start])
+    Path::polyline(&[start - tangent * length, start])
 }
 
 /// The opening for a hose: between the two ends of an open seam.
@@ -190,6 +190,6 @@ pub fn frame(pieces: &[PlacedPiece<'_>], seams: &[LaidSeam]) -> Path {
     let cuts =
         pieces.iter().filter_map(|piece| Some(piece.placement.path(piece.shape.cut.as_ref()?).bounds()));
     let half_band = pieces.first().map_or(0.0, |piece| piece.shape.band / 2.0);
-    let touched = seams.iter().flat_map(LaidSeam::paths).map(|path| path.bounds().grown(half_band));
+    let touched = seams.iter().flat_map(LaidSeam::paths).map(|path| path.bounds().outset(half_band));
     Path::rectangle(&cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union))
 }

@@ -68,7 +68,7 @@ impl Segments {
         reach: f64,
     ) -> impl Iterator<Item = Approach> + 's {
         path.segments.iter().flat_map(move |segment| {
-            self.overlapping(segment.bounds().grown(reach)).map(|other| Approach::new(segment, other))
+            self.overlapping(segment.bounds().outset(reach)).map(|other| Approach::new(segment, other))
         })
     }
 
@@ -77,7 +77,7 @@ impl Segments {
     pub(crate) fn has_joint(&self, number: usize, path: &Path, is_start: bool, reach: f64) -> bool {
         let Some(end) = (if is_start { path.start() } else { path.end() }) else { return false };
         let length = path.length();
-        self.overlapping(Bounds::of_points([end]).grown(reach)).any(|part| {
+        self.overlapping(Bounds::of_points([end]).outset(reach)).any(|part| {
             let t = part.segment.nearest_fraction(end);
             let s = part.before + t * part.segment.length();
             let stations = if is_start { [0.0, s] } else { [s, length] };

@@ -34,10 +34,10 @@ impl PieceOutline {
 
     /// Distance of `p` from the piece, mm; 0 inside.
     fn distance(&self, p: Point) -> f64 {
-        if !self.rings.around(p).is_empty() {
+        if !self.rings.enclosing(p).is_empty() {
             return 0.0;
         }
-        self.curves.index.least(p, |number| self.curves.list[number].segment.distance(p))
+        self.curves.index.least_distance(p, |number| self.curves.list[number].segment.distance(p))
     }
 }
 
@@ -106,7 +106,7 @@ fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
     rings.extend(open_outlines(&network, sketch.air.len()));
     let enclosures = Enclosures::new(rings.iter().map(|ring| &ring.path));
     for (number, curve) in drawn_curves.iter().enumerate() {
-        for ring in enclosures.around(middle(&curve.path)) {
+        for ring in enclosures.enclosing(middle(&curve.path)) {
             clusters.unite(number, rings[ring].source);
         }
     }
@@ -129,7 +129,7 @@ fn near_curves(curves: &[&DrawnCurve], reach: f64) -> DisjointSets {
     let segments = Segments::new(curves.iter().map(|curve| &curve.path));
     let mut clusters = DisjointSets::new(curves.len());
     for part in &segments.list {
-        segments.index.visit(&part.bounds.grown(reach), |other| {
+        segments.index.visit(&part.bounds.outset(reach), |other| {
             let other = &segments.list[other];
             let is_apart = !clusters.are_united(part.path, other.path);
             if is_apart && segment_distance(&part.segment, &other.segment) < reach {
@@ -192,7 +192,7 @@ mod tests {
     fn lines_without_an_outline_are_one_piece() {
         let line = |x: f64| DrawnCurve {
             name: "line".to_owned(),
-            path: Path::through(&[Point::new(x, 0.0), Point::new(x, 50.0)]),
+            path: Path::polyline(&[Point::new(x, 0.0), Point::new(x, 50.0)]),
         };
         let lines = || vec![line(0.0), line(100.0), line(200.0)];
         for sketch in [

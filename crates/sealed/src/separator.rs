@@ -14,7 +14,7 @@ use geom::{Line, Path, Point, Segment, SegmentIndex, Vec2, intersections};
 pub struct AirSide {
     /// Closed edges, the air on their left.
     pub(super) edges: Vec<Path>,
-    /// The same without the channels of ports.
+    /// Closed edges without the channels of ports, the air on their left.
     pub(super) closed: Vec<Path>,
     /// Centre lines of open seams inside.
     pub(super) seams: Vec<Path>,
@@ -33,23 +33,27 @@ pub struct Separator {
 impl Separator {
     /// Area of the paper, mm^2.
     pub fn area(&self) -> f64 {
-        let sum = |paths: &[Path]| paths.iter().map(Path::area).sum::<f64>();
-        sum(&self.pieces) - sum(&self.windows)
+        let [pieces, windows] =
+            [&self.pieces, &self.windows].map(|paths| paths.iter().map(Path::area).sum::<f64>());
+        pieces - windows
     }
 
     /// Whether all edges are closed around some paper: operations on slivers of air leave others.
     fn is_closed(&self) -> bool {
-        self.pieces.iter().chain(&self.windows).all(|path| path.area() > 0.0 && path.largest_gap() < REACHED)
+        self.pieces
+            .iter()
+            .chain(&self.windows)
+            .all(|path| path.area() > 0.0 && path.largest_gap() < CLOSENESS)
     }
 
-    /// Whether its edges keep `least` mm from the centre lines of `seams`, measured at nine points of each segment.
-    fn spares(&self, seams: &[Seam], least: f64) -> bool {
+    /// Whether its edges keep `clearance` mm from the centre lines of `seams`, measured at nine points of each segment.
+    fn spares(&self, seams: &[Seam], clearance: f64) -> bool {
         let lines =
             SegmentIndex::new(seams.iter().flat_map(|seam| seam.center_line.segments.clone()).collect());
-        let least = least - 0.5 * REACHED;
+        let clearance = clearance - 0.5 * CLOSENESS;
         let edges = self.pieces.iter().chain(&self.windows).flat_map(|path| &path.segments);
         let mut points = edges.flat_map(|edge| (0..=8).map(|i| edge.point(f64::from(i) / 8.0)));
-        points.all(|p| !lines.has_within(p, least))
+        points.all(|p| !lines.has_within(p, clearance))
     }
 }
 
@@ -61,7 +65,7 @@ pub struct Tongue {
     /// The middle of its end, on the cut.
     pub end: Point,
     /// Outwards, of length 1.
-    pub out: Vec2,
+    pub outwards: Vec2,
     /// Width of the port, mm; the paper is narrower by twice the creep.
     pub width: f64,
     /// Length of the channel, mm.
@@ -73,9 +77,9 @@ impl AirSide {
     /// the edges without the channels.
     pub fn of_edges(edges: Vec<Path>, closed: Vec<Path>, tongues: &[Tongue]) -> Self {
         let mouth = |tongue: &Tongue| {
-            let Tongue { port, end, out, width, length } = *tongue;
+            let Tongue { port, end, outwards, width, length } = *tongue;
             // A point behind the mouth, inside the channel, from where the way out is sought.
-            Mouth { port, at: end, out, half: width / 2.0, length, beyond: 0.0, depth: length.min(1.0) }
+            Mouth { port, at: end, outwards, half: width / 2.0, length, beyond: 0.0, depth: length.min(1.0) }
         };
         Self { edges, closed, seams: Vec::new(), mouths: tongues.iter().map(mouth).collect() }
     }
@@ -85,7 +89,7 @@ impl AirSide {
         let tongue = |mouth: &Mouth| Tongue {
             port: mouth.port,
             end: mouth.point(way_out(mouth, cut, 0.0), 0.0),
-            out: mouth.out,
+            outwards: mouth.outwards,
             width: 2.0 * mouth.half,
             length: mouth.length,
         };
@@ -99,14 +103,14 @@ impl AirSide {
         &self.edges
     }
 
-    /// The same without the channels of ports: the region that inflates.
+    /// Closed edges without the channels of ports: the region that inflates, on their left.
     pub fn closed(&self) -> &[Path] {
         &self.closed
     }
 
     /// The edges, where the channel of a port ends at its mouth, on the cut; `band` is the width of the bands, mm.
     pub fn edges_to_mouths(&self, band: f64) -> Vec<Path> {
-        let back = |mouth: &Mouth, p: Point| (mouth.at - p).dot(mouth.out);
+        let back = |mouth: &Mouth, p: Point| (mouth.at - p).dot(mouth.outwards);
         self.edges.iter().map(|edge| self.with_ends(edge, band / 2.0, back)).collect()
     }
 
@@ -129,64 +133,62 @@ impl AirSide {
             // Channels as long as they must be to leave the piece that is cut along the outline.
             let longer = self.with_ends(edge, band / 2.0, |mouth, _| past(mouth, &outline));
             for part in offset_right(&longer, -creep) {
-                pieces.extend(combined(&polyline(&part), &cut, BooleanOp::And)?.0);
+                pieces.extend(combined(&polyline(&part), &cut, BooleanOp::And)?.outlines);
             }
         }
         let mut windows = Vec::new();
         for spared in self.spared(band / 2.0 + creep, creep)? {
             let mut cut_up = Vec::new();
             for piece in pieces {
-                let (rests, inside) = combined(&piece, &spared, BooleanOp::Not)?;
-                cut_up.extend(rests);
-                windows.extend(inside);
+                let difference = combined(&piece, &spared, BooleanOp::Not)?;
+                cut_up.extend(difference.outlines);
+                windows.extend(difference.holes);
             }
             pieces = cut_up;
         }
-        let paths = |lines: &[Polyline<f64>]| -> Vec<Path> {
-            lines.iter().map(|line| merged(&of_polyline(line).counterclockwise())).collect()
-        };
-        let separator = Separator { pieces: paths(&pieces), windows: paths(&windows) };
-        let reached = |mouth: &Mouth| {
+        let separator =
+            Separator { pieces: counterclockwise_paths(&pieces), windows: counterclockwise_paths(&windows) };
+        let has_tongue = |mouth: &Mouth| {
             let end = mouth.point(way_out(mouth, &outline, 0.0), 0.0);
-            separator.pieces.iter().any(|piece| piece.distance(end) < REACHED)
+            separator.pieces.iter().any(|piece| piece.distance(end) < CLOSENESS)
         };
-        let is_made = separator.pieces.len() == chambers && self.mouths.iter().all(reached);
-        (is_made && separator.is_closed() && separator.spares(&shape.seams, band / 2.0 + creep))
+        let is_complete = separator.pieces.len() == chambers && self.mouths.iter().all(has_tongue);
+        (is_complete && separator.is_closed() && separator.spares(&shape.seams, band / 2.0 + creep))
             .then_some(separator)
     }
 
     /// The islands, and strips `half` mm to both sides of seams, of which overlapping ones are united.
     fn spared(&self, half: f64, creep: f64) -> Option<Vec<Polyline<f64>>> {
-        let mut all: Vec<Polyline<f64>> = Vec::new();
+        let mut regions: Vec<Polyline<f64>> = Vec::new();
         for island in self.edges.iter().filter(|edge| edge.area() < 0.0) {
-            let [grown] = <[Path; 1]>::try_from(offset_right(island, -creep)).ok()?;
-            all.push(polyline(&grown.reversed()));
+            let [edge] = <[Path; 1]>::try_from(offset_right(island, -creep)).ok()?;
+            regions.push(polyline(&edge.reversed()));
         }
         let mut width = half;
         for seam in &self.seams {
-            all.push(strip(seam, width)?);
+            regions.push(strip(seam, width)?);
             // Strips that meet end to end must not have sides on one line: neither could then be found to be inside the other.
             width += 2e-5;
         }
         let mut united: Vec<Polyline<f64>> = Vec::new();
-        for mut one in all {
-            let mut apart = Vec::new();
+        for mut region in regions {
+            let mut disjoint = Vec::new();
             for other in united {
                 // Few of many islands are near each other.
-                if !one.extents().zip(other.extents()).is_some_and(|(a, b)| a.overlaps_aabb(&b)) {
-                    apart.push(other);
+                if !region.extents().zip(other.extents()).is_some_and(|(a, b)| a.overlaps_aabb(&b)) {
+                    disjoint.push(other);
                     continue;
                 }
-                let both = one.boolean(&other, BooleanOp::Or);
-                match (both.result_info, both.pos_plines.len(), both.neg_plines.is_empty()) {
-                    (BooleanResultInfo::Disjoint, ..) => apart.push(other),
+                let union = region.boolean(&other, BooleanOp::Or);
+                match (union.result_info, union.pos_plines.len(), union.neg_plines.is_empty()) {
+                    (BooleanResultInfo::Disjoint, ..) => disjoint.push(other),
                     (BooleanResultInfo::InvalidInput, ..) => return None,
-                    (_, 1, true) => one = both.pos_plines.into_iter().next()?.pline,
+                    (_, 1, true) => region = union.pos_plines.into_iter().next()?.pline,
                     _ => return None,
                 }
             }
-            apart.push(one);
-            united = apart;
+            disjoint.push(region);
+            united = disjoint;
         }
         Some(united)
     }
@@ -195,16 +197,14 @@ impl AirSide {
     /// `half` mm earlier.
     fn with_ends(&self, edge: &Path, half: f64, longer: impl Fn(&Mouth, Point) -> f64) -> Path {
         let moved = |p: Point| {
-            let is_end = |mouth: &&Mouth| {
-                let ends = [0.0, half].into_iter().flat_map(|less| {
-                    [-mouth.half, mouth.half].map(|across| mouth.point(mouth.beyond - less, across))
-                });
-                ends.into_iter().any(|end| end.distance(p) < ALIKE)
-            };
-            self.mouths.iter().find(is_end).map_or(p, |mouth| p + mouth.out * longer(mouth, p))
+            let mouth = self.mouths.iter().find(|mouth| is_channel_end(mouth, p, half));
+            mouth.map_or(p, |mouth| p + mouth.outwards * longer(mouth, p))
         };
         let segments = edge.segments.iter().map(|segment| match segment {
-            Segment::Line(line) => Line::new(moved(line.start), moved(line.end)).into(),
+            Segment::Line(line) => {
+                let [start, end] = [line.start, line.end].map(moved);
+                Line::new(start, end).into()
+            }
             Segment::Arc(_) => *segment,
         });
         Path::closed(segments.collect())
@@ -215,40 +215,55 @@ impl AirSide {
 const ALIKE: f64 = 1e-6;
 
 /// A tongue ends nearer than this to the edge of the cut, mm: the operations on closed lines join points within 1e-5.
-const REACHED: f64 = 1e-4;
+const CLOSENESS: f64 = 1e-4;
 
-/// Distance past the mouth at which the way out first meets the cut, `across` mm to its left.
-fn way_out(mouth: &Mouth, cut: &Path, across: f64) -> f64 {
+/// Whether `p` is a corner at the end of the channel of `mouth`, or `half` mm before it.
+fn is_channel_end(mouth: &Mouth, p: Point, half: f64) -> bool {
+    let stations = [mouth.beyond, mouth.beyond - half].into_iter();
+    let mut corners =
+        stations.flat_map(|station| [-mouth.half, mouth.half].map(|offset| mouth.point(station, offset)));
+    corners.any(|corner| corner.distance(p) < ALIKE)
+}
+
+/// Distance past the mouth at which the way out first meets the cut, `offset` mm to its left.
+fn way_out(mouth: &Mouth, cut: &Path, offset: f64) -> f64 {
     let bounds = cut.bounds();
-    let far = bounds.width() + bounds.height();
-    let way = Line::new(mouth.point(-mouth.depth, across), mouth.point(far, across)).into();
+    let length = bounds.width() + bounds.height();
+    let way = Line::new(mouth.point(-mouth.depth, offset), mouth.point(length, offset)).into();
     let places = cut.segments.iter().flat_map(|segment| intersections(segment, &way));
     places.map(|p| mouth.local(p).0).reduce(f64::min).unwrap_or(0.0)
 }
 
 /// Distance that a tongue must go beyond its channel to leave the piece, mm.
 fn past(mouth: &Mouth, cut: &Path) -> f64 {
-    let ways = [-mouth.half, 0.0, mouth.half].map(|across| way_out(mouth, cut, across));
-    let furthest = ways.into_iter().fold(0.0, f64::max);
-    (furthest + mouth.depth).max(0.0)
+    let ways = [-mouth.half, 0.0, mouth.half].map(|offset| way_out(mouth, cut, offset));
+    let longest = ways.into_iter().fold(0.0, f64::max);
+    (longest + mouth.depth).max(0.0)
 }
 
-/// Lines around the result of an operation, and lines cut out of it.
-type LinesAndHoles = (Vec<Polyline<f64>>, Vec<Polyline<f64>>);
+/// The result of an operation on two closed lines: lines around its parts, and lines cut out of them.
+struct Combination {
+    outlines: Vec<Polyline<f64>>,
+    holes: Vec<Polyline<f64>>,
+}
 
-/// The results of an operation on two closed lines.
-fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Option<LinesAndHoles> {
+fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Option<Combination> {
     let result = a.boolean(b, operation);
-    let lines = |list: Vec<cavalier_contours::polyline::BooleanResultPline<Polyline<f64>>>| {
-        list.into_iter().map(|one| one.pline).collect()
-    };
     let is_valid = !matches!(result.result_info, BooleanResultInfo::InvalidInput);
-    is_valid.then(|| (lines(result.pos_plines), lines(result.neg_plines)))
+    is_valid.then(|| {
+        let [outlines, holes] = [result.pos_plines, result.neg_plines]
+            .map(|list| list.into_iter().map(|result| result.pline).collect());
+        Combination { outlines, holes }
+    })
+}
+
+fn counterclockwise_paths(lines: &[Polyline<f64>]) -> Vec<Path> {
+    lines.iter().map(|line| merged(&of_polyline(line).counterclockwise())).collect()
 }
 
 /// The region within `half` mm of an open path; `None` where the path comes so near to itself that the region has a hole.
 fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
-    let there_and_back = Path::closed(path.clone().then(path.reversed()).segments);
-    let [around] = <[Path; 1]>::try_from(offset_right(&there_and_back, half)).ok()?;
-    Some(polyline(&around))
+    let there_and_back = Path::closed(path.clone().chain(path.reversed()).segments);
+    let [edge] = <[Path; 1]>::try_from(offset_right(&there_and_back, half)).ok()?;
+    Some(polyline(&edge))
 }

@@ -132,7 +132,7 @@ impl SealedShape {
     fn chambers(&self, joints: &Joints) -> Vec<(Chamber, Point)> {
         let seam_count = self.seams.len();
         let mouth_piece =
-            |mouth: &MouthEnds| Piece { path: Path::through(&mouth.ends), source: seam_count + mouth.port };
+            |mouth: &MouthEnds| Piece { path: Path::polyline(&mouth.ends), source: seam_count + mouth.port };
         let mut pieces: Vec<Piece> = joints.mouths.iter().map(mouth_piece).collect();
         let boundaries = self.seams.iter().enumerate().filter(|(_, seam)| seam.role == Role::Boundary);
         pieces.extend(boundaries.map(|(source, seam)| Piece { path: seam.center_line.clone(), source }));
@@ -227,7 +227,7 @@ impl AirPlane {
 
     /// The smallest face around `p`.
     fn innermost_face(&self, p: Point) -> Option<usize> {
-        let faces = self.face_enclosures.around(p).into_iter();
+        let faces = self.face_enclosures.enclosing(p).into_iter();
         faces.min_by(|a, b| self.areas[*a].total_cmp(&self.areas[*b]))
     }
 
@@ -246,7 +246,7 @@ impl AirPlane {
         for (number, BoundaryRing { path, .. }) in self.rings.iter().enumerate() {
             let (_, [left, right]) = side_points(path, 1e-6);
             let outside = if path.area() > 0.0 { right } else { left };
-            depth.push(self.ring_enclosures.around(outside).len());
+            depth.push(self.ring_enclosures.enclosing(outside).len());
             if let Some(face) = self.innermost_face(outside) {
                 rings_within[face].push(number);
             }
@@ -255,7 +255,7 @@ impl AirPlane {
             valves.iter().map(|valve| self.innermost_face(*valve)).collect();
         let mut chambers = Vec::new();
         for (number, face) in self.faces.iter().enumerate() {
-            let rings = self.ring_enclosures.around(face.inside);
+            let rings = self.ring_enclosures.enclosing(face.inside);
             let deepest = rings.iter().copied().max_by_key(|ring| depth[*ring]);
             let Some(outside) = deepest.and_then(|ring| self.first_seam(ring)) else { continue };
             if rings.len().is_multiple_of(2) {

@@ -50,7 +50,7 @@ pub(crate) fn placed_valves(
             continue;
         }
         let (place, _) = side_points(&named.valve.hole, 1e-6);
-        if air.around(place).len().is_multiple_of(2) {
+        if air.enclosing(place).len().is_multiple_of(2) {
             let finding = format!("the valve {} lies outside of the air", Quoted(&named.names));
             let remedy = "draw it inside of a chamber; a hose on the edge of one is a `port`";
             let fault = ShapeFault::new(ShapeCode::MisplacedValve, place, finding, remedy);

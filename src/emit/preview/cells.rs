@@ -48,7 +48,7 @@ pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
     let head = Point::new(bounds.min.x, bounds.max.y + 2.0 * style.unit);
     let content = format!("{}, seen from the iron's side, 1:1 in mm", shortened(title, NAME_LENGTH));
     let heading = Text { at: head, size: style.unit, anchor: Anchor::Start, ink: TEXT, content };
-    let window = bounds.union(heading.bounds()).grown(2.0 * style.unit);
+    let window = bounds.union(heading.bounds()).outset(2.0 * style.unit);
     words.text(heading);
     let mut page = Group::new("page");
     page.area(vec![Path::rectangle(&window)], PAGE);

@@ -36,7 +36,7 @@ pub fn is_faults(text: &str) -> bool {
 pub fn faults(title: &str, figures: &[Path], faults: &[FaultMark]) -> String {
     let places = Bounds::of_points(faults.iter().filter_map(|fault| fault.at));
     let bounds = figures.iter().map(Path::bounds).fold(places, Bounds::union);
-    let bounds = if bounds.width() >= 0.0 { bounds } else { Bounds::of_points([Point::ORIGIN]).grown(50.0) };
+    let bounds = if bounds.width() >= 0.0 { bounds } else { Bounds::of_points([Point::ORIGIN]).outset(50.0) };
     let style = Style::new(bounds.width().max(bounds.height()).max(10.0) * 1.2);
     let unit = style.unit;
     let (mut lines, mut marks, mut words) =
@@ -80,7 +80,7 @@ pub fn faults(title: &str, figures: &[Path], faults: &[FaultMark]) -> String {
             number.to_string(),
         ));
     }
-    let view = bounds.grown(4.0 * unit);
+    let view = bounds.outset(4.0 * unit);
     let mut legend_group = Group::new("legend");
     let width = view.width().max(legend.width(style) + 4.0 * unit);
     let height =

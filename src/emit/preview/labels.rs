@@ -177,12 +177,12 @@ fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
             for out in &ways {
                 let middle = at + *out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
                 text = text.centered_at(middle);
-                let area = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
+                let area = if ring { Bounds::of_points([middle]).outset(radius) } else { text.bounds() };
                 if !places.is_free(&area) {
                     continue;
                 }
                 places.keep_off_box(area);
-                let edge = if ring { middle - *out * radius } else { nearest(&area.grown(0.15 * size), at) };
+                let edge = if ring { middle - *out * radius } else { nearest(&area.outset(0.15 * size), at) };
                 group.line(straight(at, edge), Pen::new(ink, 0.07 * size));
                 if ring {
                     group.line(circle(middle, radius), Pen::new(ink, 0.07 * size));

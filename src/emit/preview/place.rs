@@ -48,7 +48,7 @@ impl Places {
         let half = width / 2.0;
         for segment in &path.segments {
             self.lines.push((*segment, half));
-            self.around_lines.push(segment.bounds().grown(half));
+            self.around_lines.push(segment.bounds().outset(half));
         }
     }
 
@@ -65,7 +65,7 @@ impl Places {
     /// Whether the place is free.
     pub(super) fn is_free(&mut self, bounds: &Bounds) -> bool {
         self.tries += 1;
-        let room = bounds.grown(self.blank);
+        let room = bounds.outset(self.blank);
         if !self.window.contains(bounds.min) || !self.window.contains(bounds.max) {
             return false;
         }
@@ -88,8 +88,8 @@ impl Places {
             reaching = is_in.then_some(obstacle);
             is_in
         };
-        let _ = self.boxes.any(room, |number| is(LabelBlock::Box(number)))
-            || self.around_lines.any(room, |number| is(LabelBlock::Line(number)));
+        let _ = self.boxes.any_overlapping(room, |number| is(LabelBlock::Box(number)))
+            || self.around_lines.any_overlapping(room, |number| is(LabelBlock::Line(number)));
         reaching
     }
 
@@ -107,7 +107,9 @@ impl Places {
     /// Whether a line along `path` crosses no label.
     pub(super) fn is_clear(&self, path: &Path) -> bool {
         let crosses = |segment: &Segment| {
-            self.boxes.any(&segment.bounds(), |number| box_distance(self.boxes.get(number), segment) == 0.0)
+            self.boxes.any_overlapping(&segment.bounds(), |number| {
+                box_distance(self.boxes.get(number), segment) == 0.0
+            })
         };
         !path.segments.iter().any(crosses)
     }

@@ -76,7 +76,7 @@ impl<'a> StackView<'a> {
         let (design, shut) = (self.assembly, self.preview.shut);
         let frame = &design.frame;
         let half = self.reach + 9.5 * style.unit;
-        let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * style.unit);
+        let mut places = Places::new(Bounds::of_points([axis]).outset(half), 0.25 * style.unit);
         if let Some(Length(radius)) = self.preview.spec.load.as_ref().and_then(|load| load.object_radius) {
             group.area(vec![circle(axis, radius)], OBJECT);
             group.line(circle(axis, radius), style.pen(GREY, 0.7));

@@ -33,8 +33,8 @@ impl<'a> Clearance<'a> {
     pub(super) fn is_free(&self, p: Point, from_band: f64, from_cut: f64) -> bool {
         !self.cuts.has_within(p, from_cut)
             && !self.seams.has_within(p, from_band + self.half_band)
-            && !self.outline.around(p).is_empty()
-            && self.airy.around(p).len().is_multiple_of(2)
+            && !self.outline.enclosing(p).is_empty()
+            && self.airy.enclosing(p).len().is_multiple_of(2)
             && !self.air.is_on_hose(p, from_cut)
     }
 }

@@ -9,7 +9,7 @@ const LEAST_JOIN: f64 = 1e-3;
 pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
     let join = join.max(LEAST_JOIN);
     let enclosures = Enclosures::new(loops);
-    let is_in = |p: Point| enclosures.around(p).len() % 2 == 1;
+    let is_in = |p: Point| enclosures.enclosing(p).len() % 2 == 1;
     let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
     for segment in reaching(path, loops, join) {
         let hits = loops
@@ -48,7 +48,7 @@ pub(super) fn share_a_band(air: &[Path], band: f64) -> bool {
     let regions: Vec<Enclosures> = air.iter().map(|edge| Enclosures::new([edge])).collect();
     let is_in = |inner: usize, outer: usize| {
         let place = air[inner].start();
-        inner != outer && place.is_some_and(|place| !regions[outer].around(place).is_empty())
+        inner != outer && place.is_some_and(|place| !regions[outer].enclosing(place).is_empty())
     };
     let count = air.len();
     let is_island: Vec<bool> =
@@ -62,7 +62,7 @@ pub(super) fn share_a_band(air: &[Path], band: f64) -> bool {
     };
     (0..count).any(|a| {
         (0..a).any(|b| {
-            let boxes = air[a].bounds().grown(limit).overlaps(&air[b].bounds());
+            let boxes = air[a].bounds().outset(limit).overlaps(&air[b].bounds());
             boxes && parted_by_fabric(a, b) && path_distance(&air[a], &air[b]) <= limit
         })
     })

@@ -84,7 +84,7 @@ impl FlapRoom<'_> {
                     else {
                         continue;
                     };
-                    let glyph_box = |(middle, _): &Glyph| Bounds::of_points([*middle]).grown(0.5 * height);
+                    let glyph_box = |(middle, _): &Glyph| Bounds::of_points([*middle]).outset(0.5 * height);
                     self.taken.extend(glyphs.iter().map(glyph_box));
                     let end = glyphs.iter().rev().nth(1).map_or(Point::ORIGIN, |(middle, _)| *middle);
                     let strokes = glyphs.into_iter().flat_map(|(_, strokes)| strokes).collect();

@@ -100,7 +100,7 @@ mod tests {
 
     fn form(points: &[[f64; 2]]) -> MeasureForm {
         let points: Vec<Point> = points.iter().map(|[x, y]| Point::new(*x, *y)).collect();
-        MeasureForm::new(&Figure::Path(Path::through(&points)))
+        MeasureForm::new(&Figure::Path(Path::polyline(&points)))
     }
 
     #[test]

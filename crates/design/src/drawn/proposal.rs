@@ -152,7 +152,7 @@ fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, e
                 Figure::Path(path) => path.start(),
                 Figure::Point(at) => Some(*at),
             };
-            start.is_some_and(|start| !edges.enclosures.around(start).is_empty())
+            start.is_some_and(|start| !edges.enclosures.enclosing(start).is_empty())
         };
         let is_hole_in_air = best_role == LayerRole::Cut
             && is_closed(place, LayerRole::Hole, rows)
@@ -229,7 +229,7 @@ impl EdgePaths {
     fn has_within(&self, figure: &Figure, layer: &DrawnLayer<'_>) -> bool {
         let Figure::Path(path) = figure else { return false };
         let Some(start) = path.start() else { return false };
-        self.enclosures.around(start).into_iter().any(|edge| {
+        self.enclosures.enclosing(start).into_iter().any(|edge| {
             let is_of_layer =
                 self.elements_of_paths[edge].iter().any(|number| layer.elements.contains(number));
             !is_of_layer && path_distance(&self.paths[edge], path) > path.length() / 1000.0
@@ -242,7 +242,7 @@ impl EdgePaths {
     }
 
     fn distance(&self, point: Point) -> f64 {
-        self.boxes.least(point, |number| self.paths[number].distance(point))
+        self.boxes.least_distance(point, |number| self.paths[number].distance(point))
     }
 
     /// Whether a figure may be one for a port: a point or a speck at an edge, or a short line of which one end is in a closed curve
@@ -261,13 +261,13 @@ impl EdgePaths {
 
     /// Whether a point lies within `reach` of an edge, and not in the middle of a hole.
     fn is_at_edge(&self, point: Point, reach: f64) -> bool {
-        let zone = Bounds { min: point, max: point }.grown(reach);
+        let zone = Bounds { min: point, max: point }.outset(reach);
         let distances = self.boxes.overlapping(&zone).into_iter().map(|n| (n, self.paths[n].distance(point)));
         let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, distance)| *distance <= reach);
         nearest.is_some_and(|(number, distance)| {
             let bounds = self.paths[number].bounds();
             let is_middle = distance > MIDDLE * bounds.width().min(bounds.height());
-            !(is_middle && self.enclosures.around(point).contains(&number))
+            !(is_middle && self.enclosures.enclosing(point).contains(&number))
         })
     }
 
@@ -277,8 +277,8 @@ impl EdgePaths {
             return self.distance(point) <= reach;
         }
         // A speck that is closed is its own edge; another one must be longer.
-        let zone = Bounds { min: point, max: point }.grown(reach);
-        self.boxes.any(&zone, |other| {
+        let zone = Bounds { min: point, max: point }.outset(reach);
+        self.boxes.any_overlapping(&zone, |other| {
             self.paths[other].length() > SPECK && self.paths[other].distance(point) <= reach
         })
     }
@@ -296,7 +296,7 @@ impl EdgePaths {
     fn crosses(&self, path: &Path) -> bool {
         let ends =
             path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= self.longest_mark());
-        let number = |point| self.enclosures.around(point).len();
+        let number = |point| self.enclosures.enclosing(point).len();
         ends.is_some_and(|(a, b)| number(a) != number(b))
     }
 }

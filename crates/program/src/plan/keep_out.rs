@@ -90,7 +90,7 @@ fn listed(pieces: &[PieceName]) -> String {
 /// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
     let way = |subject, piece: Segment, reach: f64, is_down| {
-        let reach_box = piece.bounds().grown(reach);
+        let reach_box = piece.bounds().outset(reach);
         Way { subject, program, piece, reach_box, reach, is_down }
     };
     let followed = |piece: &Segment| match program.purpose {

@@ -51,7 +51,7 @@ fn sealed_beyond(pieces: &[PlacedPiece<'_>], excess: f64) -> Option<(String, f64
         let steps = (excess / band).ceil().max(1.0) * 4.0;
         let share = |i: f64| band / 2.0 + (excess - band / 2.0) * i / steps;
         let mut distances = (0..).map(f64::from).take_while(|i| *i <= steps).map(share);
-        distances.any(|s| way.point_at(s).is_some_and(|p| !cuts.around(p).is_empty()))
+        distances.any(|s| way.point_at(s).is_some_and(|p| !cuts.enclosing(p).is_empty()))
     };
     laid_seams(pieces, excess).into_iter().filter(|seam| seam.overlap <= 0.0).find_map(|seam| {
         let ways = [seam.lead_in.reversed(), seam.lead_out];

@@ -36,7 +36,7 @@ pub(super) fn without_crumbs(pieces: Vec<Segment>, spec: &Spec) -> Vec<Segment> 
 
 /// The piece with other ends, to the bit as it is where they are its own.
 fn with_ends(piece: &Segment, start: Point, end: Point) -> Segment {
-    if piece.start() == start && piece.end() == end { *piece } else { piece.between(start, end) }
+    if piece.start() == start && piece.end() == end { *piece } else { piece.with_ends(start, end) }
 }
 
 /// The reason for which the ramps of `programs` are too steep.

@@ -188,10 +188,10 @@ fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
     // than the tolerance are one. Boxes leave out the curves that are too far away.
     let boxes: Vec<Vec<Bounds>> =
         curves.iter().map(|path| path.segments.iter().map(Segment::bounds).collect()).collect();
-    let bounds_of: Vec<Bounds> = curves.iter().map(|path| path.bounds().grown(MEETS)).collect();
+    let bounds_of: Vec<Bounds> = curves.iter().map(|path| path.bounds().outset(MEETS)).collect();
     let cuts = |own: usize, at: usize| {
         let segment = &curves[own].segments[at];
-        let bounds = boxes[own][at].grown(MEETS);
+        let bounds = boxes[own][at].outset(MEETS);
         let mut cuts = vec![0.0, 1.0];
         for (other, path) in curves.iter().enumerate() {
             if other == own || !bounds_of[other].overlaps(&bounds) {

@@ -71,7 +71,7 @@ impl<'a> ClampJudge<'a> {
 
     /// Reports the clamps that a move along `path`, at height `z` at the least, comes too near to.
     fn report_collisions(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
-        let candidates = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
+        let candidates = self.index.overlapping(&path.bounds().outset(self.reach + ROUNDING));
         let zones = candidates.into_iter().map(|number| &self.zones[number]);
         for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
             let fault = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);

@@ -40,7 +40,7 @@ impl FeedCheckTask<'_> {
         let reach = lines.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         let bed = machine.bench.work_area.map_or(reach.max, |(x, y)| Point::new(x.0, y.0));
         let max = Point::new(reach.max.x.min(bed.x), reach.max.y.min(bed.y));
-        let area = Bounds { min: Point::ORIGIN, max }.grown(tolerance);
+        let area = Bounds { min: Point::ORIGIN, max }.outset(tolerance);
         let task = ProgramTask {
             spec,
             machine,

@@ -36,7 +36,7 @@ impl ProgramTask<'_> {
         let (rules, heights) = (IronRules::new(spec, machine, &self.job), &machine.process.heights);
         let tolerance = spec.accuracy.path.0;
         let heated_by = |heating| hot && machine.controller.heating == heating;
-        let allowed = area.grown(tolerance);
+        let allowed = area.outset(tolerance);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, self.pauses())),

@@ -61,7 +61,7 @@ fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str
 fn check_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
     let corner = exact.corner();
     let page = Bounds { min: corner, max: Point::new(corner.x + exact.width, corner.y + exact.height) };
-    let page = page.grown(1e-3);
+    let page = page.outset(1e-3);
     for (layer, paths) in &drawing.layers {
         let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         let is_inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);

@@ -83,7 +83,7 @@ fn judge_piece(
 
 impl PaperArea {
     fn covers(&self, p: Point) -> bool {
-        self.edges.around(p).len() % 2 == 1
+        self.edges.enclosing(p).len() % 2 == 1
     }
 }
 
@@ -99,7 +99,7 @@ fn probes(path: &Path) -> impl Iterator<Item = (Point, Vec2)> + '_ {
 
 /// Whether `p` lies within `cut`, the outline of the piece; a piece without one is everywhere.
 fn is_in_piece(p: Point, cut: Option<&Enclosures>) -> bool {
-    cut.is_none_or(|cut| cut.around(p).len() == 1)
+    cut.is_none_or(|cut| cut.enclosing(p).len() == 1)
 }
 
 /// A place in a band where paper lies.

@@ -69,7 +69,7 @@ fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
     let (mut candidates, mut scratch) = (Vec::new(), Vec::new());
     let mut worst = Farthest::default();
     for probe in probes {
-        let reach = zone(probe, |p| index.least(p, |number| targets[number].distance(p)));
+        let reach = zone(probe, |p| index.least_distance(p, |number| targets[number].distance(p)));
         candidates.clear();
         candidates.extend(index.overlapping(&reach).into_iter().map(|number| &targets[number]));
         worst = worst.max(by_halves(probe, &candidates, targets.len(), HALVINGS, &mut scratch));
@@ -79,7 +79,7 @@ fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
 
 /// The region that reaches the nearest target of any point of the probe: distance has a slope of at most 1.
 fn zone(probe: &Prepared, nearest: impl Fn(Point) -> f64) -> Bounds {
-    probe.bounds.grown(nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length)
+    probe.bounds.outset(nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length)
 }
 
 /// As [`furthest`], with the probe halved until few targets can be near a piece.

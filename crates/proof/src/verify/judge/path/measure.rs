@@ -207,7 +207,7 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
     // Distance grows at most as fast as the way along the probe: farther targets are nowhere the nearest.
     let reach = worst.distance + 0.5 * probe.length;
     for target in targets.iter().map(Borrow::borrow) {
-        if targets.len() <= 2 || target.bounds.grown(reach).overlaps(&probe.bounds) {
+        if targets.len() <= 2 || target.bounds.outset(reach).overlaps(&probe.bounds) {
             probe.candidates(target, scratch);
         }
     }
