@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::escape::shown;
+use crate::answer::quantity::quantity;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{refuse_foreign, replace, write_new};
@@ -15,8 +16,10 @@ use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
 use crate::pipeline::{FeedCheckFault, ProvenFeedCheck};
 use program::plan;
+use program::plan::FeedCorrection;
 use proof::artifact::program_ending;
-use spec::{FeedFloor, Machine};
+use spec::units::{Duration, Quantity, Readable, Speed};
+use spec::{Allowed, Machine, Spec};
 
 /// Arguments of `feedcheck`.
 #[derive(clap::Args, Debug)]
@@ -29,13 +32,22 @@ pub(super) struct Args {
     /// Replace an existing program.
     #[arg(long)]
     force: bool,
+    /// The time that a line of 10 mm took, such as "96 s": what to change is printed, and no program is written.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["output", "force"], allow_hyphen_values = true, value_parser = quantity::<Duration>(MEASURED))]
+    took: Option<Duration>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
 
-/// Writes the program that measures the machine's real speed.
+/// Times of a line by a stopwatch, s.
+const MEASURED: Allowed = Allowed::closed(0.1, 1e5);
+
+/// Writes the program that measures the machine's real speed, or prints what follows from a measurement.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    if let Some(measured) = args.took {
+        return correct(&loaded, measured, args.verbosity);
+    }
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let output = args.output.clone().unwrap_or_else(|| default_output(machine));
     let name = output.file_name().unwrap_or_default().to_string_lossy();
@@ -54,28 +66,19 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let _ = fs::remove_file(&manifest);
     })?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
-    let remedy = match spec.machine.feed_floor {
-        FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
-        FeedFloor::Refuse if plan::Chop::new(spec, machine).is_some() => {
-            "use `feed_floor = \"chop\"` in [machine]"
-        }
-        FeedFloor::Refuse => {
-            "name your controller with `profile` in [machine] (`stargrip-cam machines` lists them), and use `feed_floor = \"chop\"`"
-        }
-    };
-    let length = plan::CHECK_LENGTH;
+    let command = format!("stargrip-cam feedcheck {} --took", argument(&args.spec));
+    let (length, example) = (plan::CHECK_LENGTH, 0.96 * seconds);
     let ways = if machine.controller.arcs {
         format!("three lines (X, Y, 45 deg) and two arcs (G2, G3) of {length} mm")
     } else {
         format!("three lines of {length} mm (X, Y, 45 deg)")
     };
     let text = format!(
-        "wrote {}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one is faster, the \
-         machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
+        "wrote {}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one took {example:.0} s, \
+         `{command} \"{example:.0} s\"` prints what to change\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
          if it runs on, or stops elsewhere, do not seal with this profile\n",
         shown(&output),
         shown(manifest.file_name().unwrap_or_default()),
-        spec.seal.speed,
         machine.script.pause
     );
     let json = json!({
@@ -87,6 +90,95 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "pause": machine.script.pause,
     });
     args.verbosity.report(&text, &json)
+}
+
+/// Prints what to change where a line took `measured`.
+fn correct(loaded: &Loaded, measured: Duration, verbosity: Verbosity) -> Result<(), Failure> {
+    loaded.with_programs("feedcheck")?;
+    let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    let nominal = Duration(plan::CHECK_LENGTH / spec.seal.speed.0);
+    let correction = plan::feed_correction(spec, machine, measured);
+    let motion = &machine.motion;
+    let (key, value, remedy) = match correction {
+        FeedCorrection::None => {
+            (None, None, "a stopwatch shows no difference: nothing is to be changed".to_owned())
+        }
+        FeedCorrection::Acceleration(value) => {
+            let present = motion.acceleration.map_or("unknown".to_owned(), |present| present.to_string());
+            (
+                Some("motion.acceleration"),
+                Some(three_digits(value)),
+                in_profile("acceleration", &three_digits(value), &present),
+            )
+        }
+        FeedCorrection::StartDelay(value) => (
+            Some("motion.start_delay"),
+            Some(three_digits(value)),
+            in_profile("start_delay", &three_digits(value), &motion.start_delay.to_string()),
+        ),
+        FeedCorrection::SealSpeed(value) => (
+            Some("seal.speed"),
+            Some(three_digits(value)),
+            format!(
+                "no acceleration explains it: write `speed = \"{}\"` in [seal], in place of {}",
+                three_digits(value),
+                spec.seal.speed
+            ),
+        ),
+        FeedCorrection::Dwell => (
+            Some("dwell.unit"),
+            None,
+            "strokes alone do not explain it: the controller waits in another unit, or not at all; check `unit` and `step` in [dwell], \
+             the dialect, and the host"
+                .to_owned(),
+        ),
+        FeedCorrection::RealSpeed(value) => {
+            (None, Some(three_digits(value)), unchopped(spec, machine, value))
+        }
+    };
+    let again =
+        if correction == FeedCorrection::None { "" } else { "\nthen write and time the feed check again" };
+    let text = format!("a line took {measured}, and must take {nominal}\n{remedy}{again}\n");
+    let json = json!({ "measured_s": measured.0, "line_time_s": nominal.0, "key": key, "value": value, "remedy": remedy });
+    verbosity.report(&text, &json)
+}
+
+/// The remedy that changes `key` of [motion].
+fn in_profile(key: &str, value: &str, present: &str) -> String {
+    format!(
+        "write `{key} = \"{value}\"` in [motion] of your own profile, in place of {present} (`stargrip-cam machines show` prints one \
+         to start from)"
+    )
+}
+
+/// The remedy where the machine moved at `real` along a line that is not chopped.
+fn unchopped(spec: &Spec, machine: &Machine, real: Speed) -> String {
+    let real_speed = three_digits(real);
+    if real.0 < spec.seal.speed.0 {
+        return format!(
+            "the machine moves at {real_speed}: set its feed override to 100 %, or write this speed in [seal]"
+        );
+    }
+    let is_able = machine.motion.speed_range().is_some_and(|(_, worst)| worst <= spec.seal.speed.0);
+    let remedy = if is_able {
+        "set its feed override to 100 %; if that is right, correct `min_step_rate` and the steps per mm in [motion]"
+    } else if plan::Chop::new(spec, machine).is_none() {
+        "name your controller with `profile` in [machine] (`stargrip-cam machines` tells which), and use `feed_floor = \"chop\"`"
+    } else {
+        "use `feed_floor = \"chop\"` in [machine]"
+    };
+    format!(
+        "the machine moves at {real_speed}, and {} is required: {remedy}; or seal at that speed if a coupon holds",
+        spec.seal.speed
+    )
+}
+
+/// A quantity with three significant digits.
+fn three_digits<Q: Quantity>(quantity: Q) -> String {
+    let base = quantity.base();
+    let exponent = if base > 0.0 { libm::log10(base).floor() } else { 0.0 };
+    let step = libm::exp10(exponent - 2.0);
+    format!("{} {}", Readable((base / step).round() * step), Q::KIND.unit())
 }
 
 /// The file of the program without a name of the user's.

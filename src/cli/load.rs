@@ -338,11 +338,9 @@ fn profile_file(
     let message = format!("no machine profile has this name, and {state}");
     let fault = Fault::error(FaultCode::UnknownMachine, place, message)
         .label(format!("a built-in profile ({}) or a path relative to the spec", builtin_names.join(", ")));
-    Err(match (spec::nearest(name, builtin_names), spec::usual_profile(name)) {
-        (Some(near), _) => fault.help(format!("did you mean \"{near}\"?")),
-        (None, Some((controller, profile))) => {
-            fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))
-        }
-        (None, None) => fault,
+    let nearest = spec::nearest(name, builtin_names).map(|near| format!("did you mean \"{near}\"?"));
+    Err(match nearest.or_else(|| spec::machine_remedy(name)) {
+        Some(remedy) => fault.help(remedy),
+        None => fault,
     })
 }

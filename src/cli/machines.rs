@@ -1,14 +1,16 @@
 //! `stargrip-cam machines`
 
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value, json};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, say};
+use crate::cli::load::read_source;
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
 use program::plan::actual_speed;
-use spec::{Machine, Motion, SealingTool};
+use spec::{Machine, Motion, SealingTool, StepRate};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]
@@ -30,27 +32,93 @@ enum MachinesCommand {
         #[command(flatten)]
         _quiet: Quiet,
     },
+    /// Read your own profile without a spec, and print all of its faults, or what it says.
+    Check {
+        /// The profile, a TOML file; "-" is standard input.
+        profile: PathBuf,
+        #[command(flatten)]
+        verbosity: Verbosity,
+    },
 }
 
-/// Lists the built-in profiles, or prints one.
+/// Lists the built-in profiles, prints one, or checks one of the user's own.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let Some(MachinesCommand::Show { name, .. }) = &args.command else {
-        let builtin_machines = machines()?;
-        return match args.verbosity {
-            Verbosity { json: true, .. } => say(&json(&builtin_machines)),
-            Verbosity { quiet: true, .. } => say(&names(&builtin_machines)),
-            verbosity => verbosity.remark(&list(&builtin_machines)),
-        };
-    };
+    match &args.command {
+        Some(MachinesCommand::Show { name, .. }) => show(name),
+        Some(MachinesCommand::Check { profile, verbosity }) => check(profile, *verbosity),
+        None => {
+            let builtin_machines = machines()?;
+            match args.verbosity {
+                Verbosity { json: true, .. } => say(&json(&builtin_machines)),
+                Verbosity { quiet: true, .. } => say(&names(&builtin_machines)),
+                verbosity => verbosity.remark(&list(&builtin_machines, verbosity.verbose)),
+            }
+        }
+    }
+}
+
+/// Prints the text of the built-in profile `name`.
+fn show(name: &str) -> Result<(), Failure> {
+    if let Some(text) = spec::builtin_machine(name) {
+        return say(text);
+    }
     let builtin_names: Vec<&str> = spec::builtin_machines().collect();
-    let text = spec::builtin_machine(name).ok_or_else(|| {
-        Failure::Message(format!(
-            "no built-in profile is called {}; there are: {}",
-            shown(name),
-            builtin_names.join(", ")
-        ))
-    })?;
-    say(text)
+    let remedy = if Path::new(name).is_file() {
+        format!("`stargrip-cam machines check {}` reads the file of this name", argument(name))
+    } else {
+        let names = || format!("there are: {}", builtin_names.join(", "));
+        spec::machine_remedy(name).unwrap_or_else(names)
+    };
+    Err(Failure::Message(format!("no built-in profile is called {}; {remedy}", shown(name))))
+}
+
+/// Reads the profile in the file `path`, and prints what it says.
+fn check(path: &Path, verbosity: Verbosity) -> Result<(), Failure> {
+    let machine = match path.to_str().and_then(spec::builtin_machine) {
+        Some(text) if !path.exists() => spec::read_machine(&spec::Source::new("built-in profile", text))?,
+        _ => spec::read_machine(&read_source(path)?)?,
+    };
+    let unknown = unknown_values(&machine);
+    let mut text = format!("{}: sound; {}\n", shown(&machine.name), controller(&machine));
+    let _ = writeln!(text, "{}", ability_in_words(&machine));
+    if !unknown.is_empty() {
+        let _ = writeln!(text, "unknown, so not checked: {}", unknown.join(", "));
+    }
+    for task in &machine.script.requires {
+        let _ = writeln!(text, "before every job: {}", shown(task));
+    }
+    if machine.tool == SealingTool::Iron {
+        text += "speed, reach and clamps are checked with a spec: name the file as `profile` in [machine], then `stargrip-cam check`\n";
+    }
+    let mut json = machine_json(&machine);
+    json["unknown"] = json!(unknown);
+    json["requires"] = json!(machine.script.requires);
+    verbosity.report(&text, &json)
+}
+
+/// The dialect and the heater of a machine, in words.
+fn controller(machine: &Machine) -> String {
+    match machine.tool {
+        SealingTool::Iron => {
+            format!("dialect {}, heated {}", machine.controller.dialect.name(), machine.heater())
+        }
+        SealingTool::Press => "a heat press".to_owned(),
+    }
+}
+
+/// The keys of the profile whose values are unknown, so that nothing can be checked against them.
+fn unknown_values(machine: &Machine) -> Vec<&'static str> {
+    if machine.tool == SealingTool::Press {
+        return Vec::new();
+    }
+    let motion = &machine.motion;
+    let keys = [
+        ("[work_area] x, y", machine.bench.work_area.is_none()),
+        ("[motion] x_steps_per_mm, y_steps_per_mm, z_steps_per_mm", motion.steps_per_mm.is_none()),
+        ("[motion] min_step_rate", motion.step_rate == StepRate::Unknown),
+        ("[motion] acceleration", motion.acceleration.is_none()),
+    ];
+    keys.into_iter().filter(|(_, is_unknown)| *is_unknown).map(|(key, _)| key).collect()
 }
 
 /// The seal speed of the paper, mm/s; most machines cannot move this slowly.
@@ -67,25 +135,55 @@ fn names(machines: &[Machine]) -> String {
     machines.iter().flat_map(|machine| [machine.name.as_str(), "\n"]).collect()
 }
 
-fn list(machines: &[Machine]) -> String {
-    let mut text = String::new();
+/// Which controller a user has: a row a profile; with `-v` what each can do at the seal speed of the paper. Below it machines without one.
+fn list(machines: &[Machine], verbose: bool) -> String {
+    let mut text =
+        format!("{:15} {:15} {:8} {}\n", "profile", "dialect", "heated", "how to know your controller");
     for machine in machines {
-        let _ = writeln!(text, "{:15} {}", machine.name, machine.description);
-        let _ = writeln!(text, "{:15}   {}", "", at_slow(machine));
+        let dialect = match machine.tool {
+            SealingTool::Iron => machine.controller.dialect.name(),
+            SealingTool::Press => "none",
+        };
+        let _ = writeln!(text, "{:15} {dialect:15} {:8} {}", machine.name, machine.heater(), machine.sign());
+        let _ = writeln!(text, "{:15} {}", "", machine.description);
+        if verbose {
+            let _ = writeln!(text, "{:15} {}", "", ability_in_words(machine));
+        }
     }
-    text
+    text += "\nno profile, and what to try:\n";
+    for machine in spec::UNSERVED_MACHINES {
+        let _ = writeln!(text, "  {}\n      {}", machine.names, machine.remedy);
+    }
+    text + "\nthe printed lines show when a console connects; `stargrip-cam machines show NAME` prints a profile to start your own from, \
+            `machines check FILE` reads it\n"
 }
 
 fn json(machines: &[Machine]) -> String {
-    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(machine) });
-    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
+    let unserved = |machine: spec::UnservedMachine| json!({ "names": machine.names, "try": machine.remedy });
+    pretty(&json!({
+        "speed_mm_s": SLOW,
+        "machines": machines.iter().map(machine_json).collect::<Vec<_>>(),
+        "unserved": spec::UNSERVED_MACHINES.map(unserved),
+    }))
+}
+
+/// The description of a profile as JSON.
+fn machine_json(machine: &Machine) -> Value {
+    json!({
+        "name": machine.name,
+        "description": machine.description,
+        "ability": ability(machine),
+        "dialect": (machine.tool == SealingTool::Iron).then(|| machine.controller.dialect.name()),
+        "heated": machine.heater(),
+        "sign": machine.sign(),
+    })
 }
 
 /// The ability of a machine that no program moves.
 const NO_PROGRAM: &str = "no program: `time` and `temperature` in [press]";
 
 /// The behaviour at the seal speed of the paper, with that speed where there is one.
-fn at_slow(machine: &Machine) -> String {
+fn ability_in_words(machine: &Machine) -> String {
     match machine.tool {
         SealingTool::Iron => format!("at {SLOW} mm/s: {}", ability(machine)),
         SealingTool::Press => ability(machine),

@@ -93,7 +93,7 @@ enum Command {
     Build(build::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
-    /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
+    /// List the built-in machine profiles and how to know your controller; check a profile of your own.
     Machines(machines::Args),
     /// Write a program that measures the machine's real speed.
     Feedcheck(feedcheck::Args),
@@ -190,8 +190,9 @@ pub fn run(args: Vec<OsString>) -> u8 {
 
 /// Whether the arguments contain `--json`.
 fn wants_json(matches: &ArgMatches) -> bool {
-    let flag = |command: &ArgMatches| command.try_get_one::<bool>("json").ok().flatten().copied();
-    matches.subcommand().and_then(|(_, command)| flag(command)).unwrap_or(false)
+    let Some((_, command)) = matches.subcommand() else { return false };
+    let flag = command.try_get_one::<bool>("json").ok().flatten().copied();
+    flag.unwrap_or(false) || wants_json(command)
 }
 
 /// Prints a message of `clap`: help, or wrong usage. It quotes arguments, so they are escaped first.

@@ -121,9 +121,10 @@ pub(super) fn machine(profile: &str) -> Result<Machine, Failure> {
     if path.is_file() {
         return Ok(spec::read_machine(&read_source(path)?)?);
     }
-    let remedy = spec::usual_profile(profile).map_or_else(
-        || format!("there are {}", spec::builtin_machines().collect::<Vec<_>>().join(", ")),
-        |(controller, name)| format!("it usually has {controller}: --machine {name}"),
-    );
+    let names = || format!("there are {}", spec::builtin_machines().collect::<Vec<_>>().join(", "));
+    let remedy = match spec::usual_profile(profile) {
+        Some((controller, name)) => format!("it usually has {controller}: --machine {name}"),
+        None => spec::machine_remedy(profile).unwrap_or_else(names),
+    };
     Err(Failure::Message(format!("{profile:?} is not a machine profile, and not a file; {remedy}")))
 }

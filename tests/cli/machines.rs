@@ -135,6 +135,56 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
 }
 
+/// A profile alone is read with all of its faults at once, and says what is not checked.
+#[test]
+fn a_profile_is_checked_without_a_spec() {
+    let dir = workshop();
+    let profile = support::generic();
+    fs::write(dir.path().join("mine.toml"), &profile).expect("written");
+    let answer = done(dir.path(), &["machines", "check", "mine.toml"]);
+    assert!(answer.contains("generic: sound") && answer.contains("[work_area] x, y"), "{answer}");
+    let answer = json_of(&done(dir.path(), &["machines", "check", "mine.toml", "--json"]));
+    assert_eq!((&answer["dialect"], &answer["heated"]), (&"generic".into(), &"by hand".into()));
+    assert_eq!(done(dir.path(), &["machines", "check", "press", "-q"]), "");
+    let faulty = profile
+        .replacen("contact = \"-0.3 mm\"", "contact = \"5 mm\"", 1)
+        .replacen("comments = \"semicolon\"", "comments = \"semi\"", 1)
+        .replacen("ramp = ", "rmap = ", 1);
+    fs::write(dir.path().join("faulty.toml"), faulty).expect("written");
+    let words = ["contact", "semi", "did you mean", "rmap"];
+    let _ = fails(dir.path(), &["machines", "check", "faulty.toml"], 1, &words);
+    let refused = run(dir.path(), &["machines", "check", "faulty.toml", "--json"]);
+    assert_eq!(json_of(&stdout(&refused))["refused"].as_array().map(Vec::len), Some(3));
+    let _ =
+        fails(dir.path(), &["machines", "check", "star.toml"], 1, &["this is a spec, not a machine profile"]);
+    let _ = fails(dir.path(), &["machines", "check", "no.toml"], 1, &["cannot read no.toml"]);
+    let _ = fails(dir.path(), &["machines", "show", "mine.toml"], 1, &["machines check mine.toml"]);
+    let _ = fails(dir.path(), &["machines", "show", "Mach3"], 1, &["profile \"generic\""]);
+}
+
+/// A measured line of the feed check names the key to change, and with it the next feed check takes its time.
+#[test]
+fn a_feedcheck_that_took_another_time_names_the_key() {
+    let dir = workshop();
+    for (profile, chop, took, key) in [
+        ("marlin", true, "96 s", Value::from("motion.start_delay")),
+        ("grbl", true, "104 s", "motion.acceleration".into()),
+        ("grbl", true, "96 s", "seal.speed".into()),
+        ("grbl", true, "26 s", "dwell.unit".into()),
+        ("generic", false, "26 s", Value::Null),
+        ("grbl", true, "100.4 s", Value::Null),
+    ] {
+        let chop = if chop { "feed_floor = \"chop\"\n" } else { "" };
+        let spec = format!("{}[machine]\nprofile = \"{profile}\"\n{chop}", support::PAPER);
+        fs::write(dir.path().join("timed.toml"), spec).expect("written");
+        let answer = done(dir.path(), &["feedcheck", "timed.toml", "--took", took, "--json"]);
+        assert_eq!(json_of(&answer)["key"], key, "{profile}, {took}: {answer}");
+    }
+    assert!(!dir.path().join("feedcheck.gcode").exists());
+    let _ = fails(dir.path(), &["feedcheck", "star.toml", "--took", "96"], 2, &["--took"]);
+    let _ = fails(dir.path(), &["feedcheck", "star.toml", "--took", "96 s", "--force"], 2, &["--force"]);
+}
+
 /// A heater that is switched off before the end of the job, in either program.
 #[test]
 fn every_command_refuses_an_idle_timeout_below_its_program() {

@@ -74,8 +74,8 @@ pub use name::{NAME_LENGTH, check_name, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PaperSize, Press, PressLayer};
 pub use product::ProductKind;
 pub use profile::{
-    CONTACT, LEAST_ACCELERATION, builtin_machine, builtin_machines, limits_set_by, read_machine,
-    usual_profile,
+    CONTACT, LEAST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine, builtin_machine, builtin_machines,
+    limits_set_by, machine_remedy, read_machine, usual_profile,
 };
 pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, read_fabric_of, written_profile};

@@ -81,10 +81,6 @@ fn unknown(reading: &Reading) -> Fault {
         "no built-in machine profile has this name, and a page opens no files",
     )
     .label(format!("a built-in profile: {}", builtin_names.join(", ")));
-    match spec::usual_profile(name) {
-        Some((controller, profile)) => {
-            fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))
-        }
-        None => fault.help("drop the profile's file on the page together with the spec"),
-    }
+    let otherwise = || "drop the profile's file on the page together with the spec".to_owned();
+    fault.help(spec::machine_remedy(name).unwrap_or_else(otherwise))
 }

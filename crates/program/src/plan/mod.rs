@@ -5,6 +5,7 @@
 //! that, and also how long a single move is; the emitters only round and write.
 
 mod chop;
+mod feed_correction;
 mod feedcheck;
 mod job_size;
 mod keep_out;
@@ -25,6 +26,7 @@ mod whole_rates;
 mod written;
 
 pub use chop::{Chop, move_time, stepper};
+pub use feed_correction::{FeedCorrection, STOPWATCH, feed_correction};
 pub use feedcheck::{CHECK_LENGTH, feed_check_refusals, feed_checks};
 pub use job_size::too_many_moves;
 pub use keep_out::clamp_bounds;

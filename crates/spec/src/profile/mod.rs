@@ -10,12 +10,13 @@ mod line;
 mod modes;
 mod motion;
 mod process;
+mod recognition;
 mod script;
 
 use crate::FaultCode;
 use crate::faults::Faults;
 use crate::foreign::Document;
-use crate::machine::{Machine, Script, SealingTool};
+use crate::machine::{Dialect, Machine, Script, SealingTool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
 use crate::profile::motion::read_motion;
@@ -24,11 +25,13 @@ use crate::profile::script::read_script;
 use crate::reading::{read_schema, read_with};
 use crate::section::Reader;
 use crate::source::Source;
+use crate::value::RawValue;
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
 pub use motion::LEAST_ACCELERATION;
 pub use process::CONTACT;
 pub(crate) use process::to_micrometres;
+pub use recognition::{UNSERVED_MACHINES, UnservedMachine, machine_remedy};
 pub use script::limits_set_by;
 
 /// Longest description, in characters.
@@ -68,7 +71,18 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut machine =
         Machine { name, description, tool, controller, process, bench, motion, script: Script::default() };
     machine.script = read_script(reader, &machine);
+    if !has_known_dialect(reader) {
+        // Which words, units and lines are allowed follows from the dialect: faults by another one would mislead.
+        let of_dialect = [FaultCode::Conflict, FaultCode::ProgramLine].map(FaultCode::as_str);
+        reader.faults.retain(|fault| !of_dialect.contains(&fault.code));
+    }
     machine
+}
+
+/// Whether the profile names a dialect that exists.
+fn has_known_dialect(reader: &Reader<'_>) -> bool {
+    let name = reader.raw.root().get("dialect").and_then(RawValue::as_text);
+    name.is_some_and(|name| Dialect::ALL.iter().any(|(known_name, _)| *known_name == name))
 }
 
 impl Machine {
@@ -153,6 +167,21 @@ mod tests {
         };
         assert_eq!(read("marlin", "min_step_rate = 32").map(|_| ()), Err("conflict"));
         assert!(read("grblhal", "min_step_rate = 9.54").is_ok());
+    }
+
+    /// Lines, units and lengths are those of a dialect: none is judged by another one in its place.
+    #[test]
+    fn an_unknown_dialect_is_the_only_fault() {
+        for name in builtin_machines() {
+            let text = builtin_machine(name).expect("built in");
+            let Some(line) = text.lines().find(|line| line.starts_with("dialect = ")) else { continue };
+            for (dialect, code) in [("dialect = \"marlni\"", "unknown-choice"), ("", "missing-key")] {
+                let faults =
+                    read_machine(&Source::new(name, text.replacen(line, dialect, 1))).expect_err(name);
+                let codes: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
+                assert_eq!(codes, [code], "{name}: {faults}");
+            }
+        }
     }
 
     #[test]
