@@ -10,6 +10,7 @@ use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, lasting, once};
+use crate::cli::material::FabricArg;
 use crate::cli::open::open;
 use crate::cli::overview::now;
 use crate::cli::publish::extras_of;
@@ -40,6 +41,8 @@ pub(super) struct Args {
     /// Open the report, or the preview where there is none.
     #[arg(long)]
     open: bool,
+    #[command(flatten)]
+    fabric: FabricArg,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -156,7 +159,7 @@ fn build_one(
     spec: &Path,
     verbosity: Verbosity,
 ) -> Result<PublishedOutput, Failure> {
-    let loaded = Loaded::spoken(spec, verbosity)?;
+    let loaded = Loaded::with_fabric(spec, &args.fabric, verbosity)?;
     args.kinds.refuse_programs(&loaded)?;
     let forecast = loaded.forecast(args.anyway)?;
     let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;

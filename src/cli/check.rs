@@ -8,6 +8,7 @@ use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, once};
+use crate::cli::material::FabricArg;
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{batch, overview};
@@ -31,6 +32,8 @@ pub(super) struct Args {
     /// Draw the faults and warnings of a drawing over it, into this SVG.
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
+    #[command(flatten)]
+    fabric: FabricArg,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -70,7 +73,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
 }
 
 fn check_one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
-    let loaded = Loaded::spoken(spec, args.verbosity)?;
+    let loaded = Loaded::with_fabric(spec, &args.fabric, args.verbosity)?;
     let forecast = loaded.forecast(args.anyway).or_else(|failure| {
         if let Failure::Faults(faults) = &failure {
             let marks =

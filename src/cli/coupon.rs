@@ -10,6 +10,7 @@ use crate::answer::quantity::quantity;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::{Loaded, lasting};
+use crate::cli::material::FabricArg;
 use crate::cli::publish::put;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
@@ -49,6 +50,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     process: Option<String>,
     #[command(flatten)]
+    fabric: FabricArg,
+    #[command(flatten)]
     verbosity: Verbosity,
 }
 
@@ -73,7 +76,7 @@ impl Args {
 
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    let loaded = Loaded::with_fabric(&args.spec, &args.fabric, args.verbosity)?;
     loaded.with_programs("coupon")?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     if args.output.symlink_metadata().is_ok() {

@@ -14,12 +14,17 @@ pub(super) fn written_into(text: String) -> Result<String, Failure> {
     }
 }
 
-/// The file of defaults, in the system's directory for settings.
+/// The file of defaults.
 fn file() -> Option<PathBuf> {
+    Some(folder()?.join("config.toml"))
+}
+
+/// The program's own folder in the system's directory for settings; `None` where the system has none.
+pub(super) fn folder() -> Option<PathBuf> {
     let named = |name: &str| env::var_os(name).filter(|path| !path.is_empty()).map(PathBuf::from);
     let folder = |name: &str, below: &str| Some(named(name)?.join(below));
     let home = if cfg!(windows) { folder("APPDATA", "") } else { folder("HOME", ".config") };
     // The XDG standard ignores relative paths.
     let config = named("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(home)?;
-    Some(config.join("stargrip-cam").join("config.toml"))
+    Some(config.join("stargrip-cam"))
 }

@@ -6,6 +6,7 @@ use crate::answer::refused::at_keys;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
+use crate::cli::material::FabricArg;
 use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{SPECIAL, first_bytes, given_bytes, is_special, is_standard_input};
@@ -48,6 +49,16 @@ impl Loaded {
     /// Reads the spec at `path` and its machine profile; prints warnings unless `verbosity` is quiet.
     pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         Self::of(read_source(path)?, path, verbosity)
+    }
+
+    /// The spec at `path` with the values of a fabric, read as by [`Loaded::spoken`].
+    pub(super) fn with_fabric(
+        path: &Path,
+        fabric: &FabricArg,
+        verbosity: Verbosity,
+    ) -> Result<Self, Failure> {
+        let source = fabric.written_into(read_source(path)?, verbosity.quiet)?;
+        Self::of(source, path, verbosity)
     }
 
     /// The spec of the file `path`, without printing; "-" is standard input.

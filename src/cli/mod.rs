@@ -26,6 +26,7 @@ mod kinds;
 mod load;
 mod machines;
 mod man;
+mod material;
 mod new;
 mod new_object;
 mod open;

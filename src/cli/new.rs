@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::Failure;
 use crate::cli::load::drawing_bytes;
+use crate::cli::material::FabricArg;
 use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
@@ -35,6 +36,8 @@ pub(super) struct Args {
     #[command(flatten)]
     object: ObjectArgs,
     #[command(flatten)]
+    fabric: FabricArg,
+    #[command(flatten)]
     verbosity: Verbosity,
 }
 
@@ -49,12 +52,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let text = format!("{file} is a drawing: use `stargrip-cam new --drawing {option}`");
         return Err(Failure::Message(text));
     }
-    let gripper =
-        progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
+    let gripper = progress::during(args.verbosity, "searching for a gripper", |_| {
+        chosen(name, &args.object, &args.fabric)
+    })?;
     let text = match &gripper {
         // The search has applied the user's defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
-        None => with_defaults(spec::starter(name).map_err(Failure::message)?)?,
+        None => with_defaults(spec::starter(name).map_err(Failure::message)?, &args.fabric)?,
     };
     let verdict = gripper.as_ref().and_then(|made| made.forecast.verdict());
     let gripper_json = gripper.as_ref().map(NewGripper::json);
@@ -100,9 +104,9 @@ pub(super) fn nameless(name: &str, path_kind: &str) -> String {
     format!("the name `{}` has no letter from a to z and no digit for the name of {path_kind}", shown(name))
 }
 
-/// `text` with the user's defaults, whose machine profile exists.
-fn with_defaults(text: String) -> Result<String, Failure> {
-    let text = defaults::written_into(text)?;
+/// `text` with the user's defaults, whose machine profile exists, and then with the values of `fabric`.
+fn with_defaults(text: String, fabric: &FabricArg) -> Result<String, Failure> {
+    let text = fabric.written_into(Source::new("starter", defaults::written_into(text)?), true)?.text;
     let profile = spec::read(&Source::new("starter", text.as_str()))?.spec.machine.profile;
     match machine(&profile) {
         Err(Failure::Message(fault)) => Err(Failure::Message(format!("your defaults: {fault}"))),
@@ -147,7 +151,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     };
     let proposal = propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &proposal.layers, proposal.unit);
-    let text = with_defaults(text.map_err(Failure::message)?)?;
+    let text = with_defaults(text.map_err(Failure::message)?, &args.fabric)?;
     let rows: Vec<Value> = proposal
         .layers
         .iter()

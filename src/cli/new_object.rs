@@ -9,16 +9,17 @@ use crate::cli::defaults;
 use crate::cli::escape::argument;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
+use crate::cli::material::FabricArg;
 use crate::cli::words::words;
 use forecast::sizing::Requirements;
 use spec::units::{Force, Length, Mass, Pressure, Readable, Stated};
-use spec::{Machine, ObjectShape, Spec};
+use spec::{Machine, ObjectShape, Source, Spec};
 
 pub(super) use crate::answer::object::NewGripper;
 
 /// All of [`ObjectArgs`], which a drawing excludes.
-pub(super) const OBJECT_OPTIONS: [&str; 10] =
-    ["object", "height", "shape", "mass", "pressure", "friction", "fragile", "fabric", "machine", "sheet"];
+pub(super) const OBJECT_OPTIONS: [&str; 9] =
+    ["object", "height", "shape", "mass", "pressure", "friction", "fragile", "machine", "sheet"];
 
 /// Arguments about the object.
 #[derive(clap::Args, Debug)]
@@ -44,9 +45,6 @@ pub(super) struct ObjectArgs {
     /// Largest radial force of one star that the object bears: "20 N".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = stated::<Force>(FORCES), requires = "object")]
     fragile: Option<Stated<Force>>,
-    /// "paper", or a file whose `[fabric]` is taken: a spec, or what `calibrate` prints.
-    #[arg(long, value_name = "NAME", requires = "object")]
-    fabric: Option<String>,
     /// A built-in machine profile's name; default: generic.
     #[arg(long, value_name = "NAME", requires = "object")]
     machine: Option<String>,
@@ -56,9 +54,13 @@ pub(super) struct ObjectArgs {
 }
 
 /// The spec of a gripper for the object; `None` without an object.
-pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>, Failure> {
+pub(super) fn chosen(
+    name: &str,
+    args: &ObjectArgs,
+    fabric: &FabricArg,
+) -> Result<Option<NewGripper>, Failure> {
     let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
-    let base_spec = base(args)?;
+    let base_spec = base(args, fabric)?;
     let base_machine = machine(&base_spec.machine.profile)?;
     let ObjectArgs { height, shape, pressure, friction, fragile, .. } = *args;
     let request = Request { object, height, shape, mass, pressure, friction, fragile };
@@ -66,7 +68,7 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
         NoGripper::Fault(text) => Failure::Message(text),
         NoGripper::Infeasible(reasons, near) => {
             let required = request.requirements(&base_spec, &base_machine);
-            let nearest = near.iter().map(|near| in_words(name, args, &required, near)).collect();
+            let nearest = near.iter().map(|near| in_words(name, args, fabric, &required, near)).collect();
             let line = |reason: &String| format!("\n  {reason}");
             let reasons: String = reasons.iter().map(line).collect();
             Failure::Infeasible(format!("no gripper was found that does all of this:{reasons}"), nearest)
@@ -75,7 +77,13 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
 }
 
 /// A request near the one with the requirements `required` that can be met, and its command.
-fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, nearest: &NearRequest) -> String {
+fn in_words(
+    name: &str,
+    args: &ObjectArgs,
+    fabric: &FabricArg,
+    required: &Requirements,
+    nearest: &NearRequest,
+) -> String {
     let eased = &nearest.requirements;
     let friction = (!eased.friction_assumed).then_some(eased.friction);
     let sheet = if eased.room.sheet == required.room.sheet { args.sheet } else { Some(eased.room.sheet) };
@@ -88,7 +96,7 @@ fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, nearest: &Ne
         ("pressure", eased.pressure_in_words()),
         ("friction", friction.map(|friction| Readable(friction).to_string())),
         ("fragile", eased.force_in_words()),
-        ("fabric", args.fabric.clone()),
+        ("fabric", fabric.fabric.clone()),
         ("machine", args.machine.clone()),
         ("sheet", sheet.map(|[width, height]| format!("{}x{}", width.0, height.0))),
     ];
@@ -103,13 +111,11 @@ fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, nearest: &Ne
 }
 
 /// The base of the search: fabric, machine, sheet and radii of curvature.
-fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
+fn base(args: &ObjectArgs, fabric: &FabricArg) -> Result<Spec, Failure> {
     let text = spec::starter("base").map_err(Failure::Message)?;
-    let mut base = object::base(defaults::written_into(text)?, args.machine.as_deref(), args.sheet)?;
-    if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
-        base.fabric = spec::read_fabric_of(&read_source(Path::new(fabric))?)?;
-    }
-    Ok(base)
+    let source = Source::new("starter", defaults::written_into(text)?);
+    let text = fabric.written_into(source, true)?.text;
+    Ok(object::base(text, args.machine.as_deref(), args.sheet)?)
 }
 
 /// The machine of a built-in profile, or of a file.

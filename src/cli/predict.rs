@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::answer::quantity::{SIZE, evenly, quantity, range};
 use crate::cli::failure::{Failure, tell_under};
 use crate::cli::load::Loaded;
+use crate::cli::material::FabricArg;
 use crate::cli::shell::{ShellArgs, not_computed};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
@@ -47,6 +48,8 @@ pub(super) struct Args {
     radii: Option<Radii>,
     #[command(flatten)]
     shell: ShellArgs,
+    #[command(flatten)]
+    fabric: FabricArg,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -264,7 +267,7 @@ fn without_making(spec: &Spec) -> Spec {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     // The inputs of a shell are its cache key: the spec and all that else changes the answer. The other models answer
     // at once and are not kept.
-    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    let loaded = Loaded::with_fabric(&args.spec, &args.fabric, args.verbosity)?;
     let question = args.question();
     let (spec, design, unmade) = question.designed(&loaded).map_err(|refusals| loaded.refused(refusals))?;
     if let Some(refusals) = unmade {

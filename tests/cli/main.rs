@@ -6,6 +6,7 @@ mod diagnostics;
 mod drawings;
 mod editor;
 mod machines;
+mod materials;
 mod mechanics;
 mod program;
 mod publish;

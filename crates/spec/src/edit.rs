@@ -193,7 +193,7 @@ pub fn with_comments(
 }
 
 /// The text of `source` as TOML with its layout.
-fn document(source: &Source) -> Result<DocumentMut, Faults> {
+pub(crate) fn document(source: &Source) -> Result<DocumentMut, Faults> {
     source.text.parse().map_err(|error| syntax(source, &error))
 }
 
@@ -204,7 +204,7 @@ fn syntax(source: &Source, error: &TomlError) -> Faults {
 }
 
 /// Sets `key`; the blanks and comments around an old value stay.
-fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
+pub(crate) fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
     if let Some(old) = section.get_mut(key).and_then(Item::as_value_mut) {
         *value.decor_mut() = old.decor().clone();
         *old = value;

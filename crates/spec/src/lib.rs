@@ -24,6 +24,7 @@ mod foreign;
 pub mod key;
 mod load;
 mod machine;
+mod material;
 mod message;
 mod model;
 mod motion;
@@ -64,6 +65,7 @@ pub use machine::{
     Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
     Limits, Machine, Process, Script, SealingTool,
 };
+pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
@@ -78,7 +80,7 @@ pub use profile::{
     limits_set_by, machine_remedy, read_machine, usual_profile,
 };
 pub use raw::RawSpec;
-pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, read_fabric_of, written_profile};
+pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess, check_process_name};

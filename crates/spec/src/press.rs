@@ -160,7 +160,8 @@ const PRESSURES: Allowed = Allowed::closed(1.0, 5e3);
 /// From body heat up; the release layer sets the upper limit.
 const TEMPERATURES: Allowed = Allowed::closed(40.0, 400.0);
 
-fn read_section(s: &mut Section<'_, '_>) -> Press {
+/// The values of `[press]`, whatever the machine.
+pub(super) fn read_section(s: &mut Section<'_, '_>) -> Press {
     let press = Press {
         temperature: s.quantity("temperature", TEMPERATURES).unwrap_or(Temperature(145.0)),
         time: s.quantity("time", TIMES).unwrap_or(Duration(10.0)),

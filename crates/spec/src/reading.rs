@@ -67,25 +67,6 @@ pub fn written_profile(source: &Source) -> Option<(String, Range<usize>)> {
     raw.text_of(key::machine::PROFILE).map(|(name, place)| (name.to_owned(), place))
 }
 
-/// Reads the fabric of a spec, or of a file that has nothing but `[fabric]` and `[seal]`, as measurements of coupons are printed.
-///
-/// # Errors
-/// All faults of the text.
-pub fn read_fabric_of(source: &Source) -> Result<Fabric, Faults> {
-    let (raw, _) = RawSpec::parse(&source.text);
-    let is_part =
-        raw.root().0.iter().all(|entry| ["fabric", "seal", "process"].contains(&entry.key.as_str()));
-    if !is_part {
-        return read(source).map(|reading| reading.spec.fabric);
-    }
-    let sections = |reader: &mut Reader<'_>| {
-        let (seal, strength) = read_seal(&mut reader.section("seal"));
-        let _ = read_processes(reader, &seal);
-        read_fabric_with(reader, strength)
-    };
-    read_with(source, Document::Spec, sections).map(|(fabric, ..)| fabric)
-}
-
 /// Parses `source`, which should be a `document`, lets `body` take its keys, and collects the faults of both.
 pub(super) fn read_with<T>(
     source: &Source,
@@ -200,7 +181,7 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
 }
 
 /// `[fabric]` beside the peel strength that `[seal]` states.
-fn read_fabric_with(reader: &mut Reader<'_>, strength: Option<LineForce>) -> Fabric {
+pub(super) fn read_fabric_with(reader: &mut Reader<'_>, strength: Option<LineForce>) -> Fabric {
     let fabric = read_fabric(&mut reader.section("fabric"));
     Fabric { seal_strength: read_strength(reader, fabric.seal_strength, strength), ..fabric }
 }

@@ -220,6 +220,14 @@ pub(super) fn read_seal(s: &mut Section<'_, '_>) -> (Seal, Option<LineForce>) {
     (seal, strength)
 }
 
+impl Default for Seal {
+    /// The seal of a spec without `[seal]`.
+    fn default() -> Self {
+        let (raw, _) = RawSpec::parse("");
+        read_seal(&mut Reader::new(&raw).section("seal")).0
+    }
+}
+
 /// The strength of seams of `[seal]`: that of `[fabric]`, or that of `[seal]`, but not both.
 pub(super) fn read_strength(
     reader: &mut Reader<'_>,

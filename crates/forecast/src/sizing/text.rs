@@ -9,7 +9,7 @@ use crate::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
 use design::inflated_height;
 use inflatable::mechanics::strength::GRAVITY;
 use spec::units::{Length, Readable};
-use spec::{FeedFloor, ObjectShape, Spec, quoted};
+use spec::{FeedFloor, ObjectShape, Seal, SealPause, Spec, quoted};
 use std::fmt::{Display, Write};
 
 /// The spec of `choice`, called `name`, on the machine and with the sheet of `base`.
@@ -21,6 +21,7 @@ pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, Str
     lines.head(choice);
     let _ = write!(lines.text, "schema = 1\nname = {}\n\n", quoted(name)?);
     lines.fabric(base);
+    lines.seal(base);
     lines.star(choice);
     lines.stack(choice);
     lines.sheet_and_machine(base);
@@ -48,6 +49,30 @@ const RESULTS: [&str; 13] = [
 /// Whether `comment`, without its "# ", is a result that [`spec_text`] writes.
 pub fn is_result(comment: &str) -> bool {
     RESULTS.iter().any(|begin| comment.starts_with(begin))
+}
+
+/// Every key of `[seal]` with its value as TOML; `None` where it is absent.
+fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 12] {
+    fn text(value: impl Display) -> Option<String> {
+        Some(format!("\"{value}\""))
+    }
+    [
+        ("temperature", text(seal.temperature)),
+        ("speed", text(seal.speed)),
+        ("band", text(seal.band)),
+        ("overlap", text(seal.overlap)),
+        ("allowance", text(seal.allowance)),
+        ("hole_allowance", text(seal.hole_allowance)),
+        ("height", seal.height.and_then(text)),
+        ("passes", Some(seal.passes.to_string())),
+        ("lines", seal.lines.map(|lines| lines.to_string())),
+        ("tip", seal.tip.and_then(text)),
+        ("cool", text(seal.cool)),
+        (
+            "pause",
+            SealPause::ALL.iter().find(|(_, pause)| *pause == seal.pause).and_then(|(word, _)| text(word)),
+        ),
+    ]
 }
 
 /// The text so far. Writing to a String never fails.
@@ -110,6 +135,21 @@ impl Lines {
         if let Some(modulus) = fabric.shear_modulus {
             self.quantity("shear_modulus", format!("{} MPa", Readable(1e-3 * modulus.0)), "for the shell");
             self.quantity("warp", fabric.warp, "of the warp on the sheet, from X");
+        }
+        self.text.push('\n');
+    }
+
+    /// The settings of the seal that come with the fabric; nothing where they are the defaults.
+    fn seal(&mut self, base: &Spec) {
+        let usual = seal_values(&Seal::default());
+        let changed = seal_values(&base.seal).into_iter().zip(usual).filter(|(value, usual)| value != usual);
+        let values: Vec<_> = changed.filter_map(|((key, value), _)| Some((key, value?))).collect();
+        if values.is_empty() {
+            return;
+        }
+        self.text += "[seal]\n";
+        for (key, value) in values {
+            self.value(key, value, "of your fabric");
         }
         self.text.push('\n');
     }

@@ -121,7 +121,8 @@ mod tests {
             else {
                 panic!("{profile}: {excess} s");
             };
-            assert!((stroke.time(found.0) - stroke.time(right)).abs() < 1e-4, "{profile}: {found:?}");
+            // Segments of 10 ms make the time jump with the acceleration.
+            assert!((stroke.time(found.0) - stroke.time(right)).abs() < 0.011, "{profile}: {found:?}");
         }
         let (spec, machine) = chopped("marlin", 0.1);
         let strokes = Chop::new(&spec, &machine).expect("chopped").strokes(CHECK_LENGTH);

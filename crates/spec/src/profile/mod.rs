@@ -13,7 +13,6 @@ mod process;
 mod recognition;
 mod script;
 
-use crate::FaultCode;
 use crate::faults::Faults;
 use crate::foreign::Document;
 use crate::machine::{Dialect, Machine, Script, SealingTool};
@@ -26,6 +25,7 @@ use crate::reading::{read_schema, read_with};
 use crate::section::Reader;
 use crate::source::Source;
 use crate::value::RawValue;
+use crate::{Code, FaultCode};
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
 pub use motion::LEAST_ACCELERATION;
