@@ -103,7 +103,10 @@ fn every_command_refuses_a_dangerous_line_of_the_profile() {
 fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();
     let said = done(dir.path(), &["feedcheck", "star.toml"]);
-    assert!(said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s"), "{said}");
+    assert!(
+        said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s; if one took 96 s"),
+        "{said}"
+    );
     assert!(said.contains("at each M0 it must stop and wait, at the X, Y and Z"), "{said}");
     let program = read(dir.path(), "feedcheck.gcode");
     assert!(
@@ -112,11 +115,6 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     );
     assert!(program.contains("\n; must stop here, at X10 Y0 Z5\nM0\n"), "{program}");
     assert!(program.contains("F6") && !program.contains("M104") && !program.contains("G1 Z"), "{program}");
-    // Where strokes are chopped already, chopping is no remedy.
-    let chopped = format!("{}[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n", support::PAPER);
-    fs::write(dir.path().join("chop.toml"), chopped).expect("written");
-    let said = done(dir.path(), &["feedcheck", "chop.toml", "-o", "chop.gcode"]);
-    assert!(said.contains("[motion]") && !said.contains("feed_floor"), "{said}");
     let existing = ["feedcheck.gcode exists already", "--force replaces it, -o FILE writes another"];
     let _ = fails(dir.path(), &["feedcheck", "star.toml"], 1, &existing);
     assert_eq!(read(dir.path(), "feedcheck.gcode"), program);

@@ -53,25 +53,22 @@ pub fn is_result(comment: &str) -> bool {
 
 /// Every key of `[seal]` with its value as TOML; `None` where it is absent.
 fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 12] {
-    fn text(value: impl Display) -> Option<String> {
-        Some(format!("\"{value}\""))
+    fn text(value: impl Display) -> String {
+        format!("\"{value}\"")
     }
     [
-        ("temperature", text(seal.temperature)),
-        ("speed", text(seal.speed)),
-        ("band", text(seal.band)),
-        ("overlap", text(seal.overlap)),
-        ("allowance", text(seal.allowance)),
-        ("hole_allowance", text(seal.hole_allowance)),
-        ("height", seal.height.and_then(text)),
+        ("temperature", Some(text(seal.temperature))),
+        ("speed", Some(text(seal.speed))),
+        ("band", Some(text(seal.band))),
+        ("overlap", Some(text(seal.overlap))),
+        ("allowance", Some(text(seal.allowance))),
+        ("hole_allowance", Some(text(seal.hole_allowance))),
+        ("height", seal.height.map(text)),
         ("passes", Some(seal.passes.to_string())),
         ("lines", seal.lines.map(|lines| lines.to_string())),
-        ("tip", seal.tip.and_then(text)),
-        ("cool", text(seal.cool)),
-        (
-            "pause",
-            SealPause::ALL.iter().find(|(_, pause)| *pause == seal.pause).and_then(|(word, _)| text(word)),
-        ),
+        ("tip", seal.tip.map(text)),
+        ("cool", Some(text(seal.cool))),
+        ("pause", SealPause::ALL.iter().find(|(_, pause)| *pause == seal.pause).map(|(word, _)| text(word))),
     ]
 }
 
