@@ -13,7 +13,7 @@ use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::cli::publish;
 use stargrip_cam::design::{RefusalCode, Refusals};
 use stargrip_cam::manifest::Tool;
-use stargrip_cam::pipeline::{Forecast, Planned, Proven};
+use stargrip_cam::pipeline::{Forecast, Planned, Proven, no_requested_programs};
 use stargrip_cam::units::counted;
 use stargrip_cam::verify::Finding;
 
@@ -85,6 +85,9 @@ fn build_proven(
     anyway: bool,
     line: &Line,
 ) -> Result<Proven, Stopped> {
+    let without_programs: Refusals =
+        no_requested_programs(&loaded.reading.spec, request).into_iter().collect();
+    without_programs.or(()).map_err(Stopped::Refused)?;
     line.tell(0.0, "design, plan and prediction");
     let planned =
         Planned::new(loaded.reading.spec.clone(), loaded.machine.clone()).map_err(Stopped::Refused)?;

@@ -13,7 +13,9 @@ use crate::cli::load::{Loaded, once};
 use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::Verbosity;
-use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
+use crate::coupon::{
+    Calibration, ToolPace, calibrate, listing, read_press_rows, read_rows, settings, steady,
+};
 use design::Design;
 use forecast::case::Case;
 use forecast::drawn::inflate;
@@ -29,7 +31,7 @@ use spec::{Allowed, Source};
     Without RESULTS only the bench tests are evaluated: V-actuator, disc, bias strip."
 )]
 pub(super) struct Args {
-    /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
+    /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N; of a press with time_s.
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
     /// Required strength of the seal, such as "1.2 N/mm".
@@ -45,6 +47,9 @@ pub(super) struct Args {
     /// The process that the values are for: a section [process.NAME] is printed in the place of [seal].
     #[arg(long, value_name = "NAME", requires = "results", value_parser = process_name)]
     process: Option<String>,
+    /// The table is of a heat press: a section [press] is printed in the place of [seal].
+    #[arg(long, requires = "results", conflicts_with = "process")]
+    press: bool,
     #[command(flatten)]
     bench: BenchArgs,
     #[command(flatten)]
@@ -61,7 +66,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     once(args.results.iter().chain(&args.spec).chain(args.bench.table()))?;
     let settings = match &args.results {
         Some(path) => {
-            settings(&read_rows(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?)
+            let table = Source::new(path.display().to_string(), read_text(path, TABLE)?);
+            settings(&if args.press { read_press_rows(&table)? } else { read_rows(&table)? })
         }
         None => Vec::new(),
     };
@@ -141,16 +147,21 @@ impl BenchResult<'_> {
 
 /// The JSON answer for one setting.
 fn setting(found: &Calibration) -> Value {
-    let PeelRow { temperature, speed, height, .. } = found.setting;
-    json!({
-        "temperature_C": temperature,
-        "speed_mm_s": speed,
-        "height_mm": height,
+    let mut setting = json!({
+        "temperature_C": found.setting.temperature,
         "specimens": found.count,
         "mean_N_mm": found.mean,
         "deviation_N_mm": Some(found.deviation).filter(|_| found.count > 1),
         "holds_N_mm": Some(found.strength).filter(|_| found.count > 1),
-    })
+    });
+    match found.setting.pace {
+        ToolPace::Iron { speed, height } => {
+            setting["speed_mm_s"] = json!(speed);
+            setting["height_mm"] = json!(height);
+        }
+        ToolPace::Press { time } => setting["time_s"] = json!(time),
+    }
+    setting
 }
 
 /// A required strength.

@@ -14,11 +14,11 @@ use crate::cli::material::FabricArg;
 use crate::cli::publish::put;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::coupon::{CouponGroup, StripGrid, TEMPERATURES};
+use crate::coupon::{CouponGroup, PressGrid, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use proof::artifact::Kind;
-use spec::units::{Length, Speed, Temperature, counted};
-use spec::{CONTACT, SEAL_SPEEDS, Spec};
+use spec::units::{Duration, Length, Speed, Temperature, counted};
+use spec::{CONTACT, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
 
 /// How often each setting is sealed by default.
 const REPEATS: u8 = 3;
@@ -37,6 +37,9 @@ pub(super) struct Args {
     /// Speeds of the grid; default: once, twice and five times the spec's.
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(SEAL_SPEEDS))]
     speeds: Vec<Speed>,
+    /// Times of a heat press, in place of speeds and heights; default: half, once and twice the spec's.
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Duration>(PRESS_TIMES), conflicts_with_all = ["speeds", "heights", "process"])]
+    times: Vec<Duration>,
     /// Heights of the tip in contact; default: the profile's.
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(CONTACT), allow_hyphen_values = true)]
     heights: Vec<Length>,
@@ -65,6 +68,7 @@ impl Args {
             ("--temperatures", !self.temperatures.is_empty()),
             ("--speeds", !self.speeds.is_empty()),
             ("--heights", !self.heights.is_empty()),
+            ("--times", !self.times.is_empty()),
             ("--repeats", self.repeats.is_some()),
         ];
         let misplaced = options.into_iter().find(|(_, is_given)| *is_given);
@@ -77,7 +81,6 @@ impl Args {
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::with_fabric(&args.spec, &args.fabric, args.verbosity)?;
-    loaded.with_programs("coupon")?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     if args.output.symlink_metadata().is_ok() {
         let text = format!("{} exists already; choose another name", shown(&args.output));
@@ -88,6 +91,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     {
         let text = format!("cannot create {}: {} is not a directory", shown(&args.output), shown(parent));
         return Err(Failure::Message(text));
+    }
+    if let Some(press) = &spec.press {
+        return run_pressed(args, &loaded, press);
     }
     let (grid, proven) = (grid(args, &loaded)?, coupons(args, &loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
@@ -120,9 +126,74 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&text(args, (&proven, has_pressure), &programs, &drawings), &json)
 }
 
+/// Writes the strips for a heat press.
+fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failure> {
+    let (grid, proven) = (press_grid(args, loaded, press)?, coupons(args, loaded)?);
+    let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
+    tell(&put(&args.output, &files)?.to_string());
+    let made = proven.made();
+    let drawings: Vec<&String> =
+        made.files.iter().filter(|file| file.output.kind == Kind::SealSvg).map(|file| &file.name).collect();
+    let place = |name: &str| shown(args.output.join(name));
+    let spec = lasting(&args.spec, &args.output);
+    let text = format!(
+        "wrote {} and {} to {}\nlook at {}: every strip with its setting; cut two sheets of each card of cards.svg, and one paper of \
+         papers.svg\nlay the paper between the sheets of its card, its lower edge on the line, and press each card at its setting and {}\n\
+         cut the strips 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N in {}, then: stargrip-cam calibrate {} \
+         --press --spec {}\n",
+        counted(grid.cards(), "card"),
+        counted(drawings.len(), "drawing"),
+        shown(&args.output),
+        place(OVERVIEW),
+        press.pressure_in_bar(),
+        place(TABLE),
+        argument(args.output.join(TABLE)),
+        argument(&spec)
+    );
+    let json = json!({
+        "wrote": args.output,
+        "programs": [],
+        "drawings": drawings,
+        "look_at": OVERVIEW,
+        "table": TABLE,
+        "strips": grid.strips(),
+        "temperatures_C": grid.temperatures.iter().map(|temperature| temperature.0).collect::<Vec<_>>(),
+        "times_s": grid.times.iter().map(|time| time.0).collect::<Vec<_>>(),
+        "repeats": grid.repeats,
+    });
+    args.verbosity.report(&text, &json)
+}
+
+/// The grid of settings of a press to test.
+fn press_grid(args: &Args, loaded: &Loaded, press: &Press) -> Result<PressGrid, Failure> {
+    if args.only.iter().any(|group| *group != CouponGroup::Strips) {
+        loaded.with_programs("this coupon")?;
+    }
+    if !args.speeds.is_empty() || !args.heights.is_empty() || args.process.is_some() {
+        return Err(Failure::Usage(
+            "a press has --temperatures and --times, no speeds, heights and processes".to_owned(),
+        ));
+    }
+    let usual = PressGrid::around(press, usize::from(args.repeats.unwrap_or(REPEATS)));
+    let grid = PressGrid {
+        temperatures: or(&args.temperatures, &usual.temperatures),
+        times: or(&args.times, &usual.times),
+        ..usual
+    };
+    grid.refusal().map_or(Ok(grid), |why| Err(Failure::Message(why)))
+}
+
 /// The coupons that `args` describe, read back.
 pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Failure> {
     args.refuse_strips_alone()?;
+    if let Some(press) = &loaded.reading.spec.press {
+        let grid = press_grid(args, loaded, press)?;
+        let coupons = MadeCoupons::pressed(&loaded.reading.spec, loaded.sources(), &grid);
+        return coupons.prove().map_err(|findings| loaded.unproven(findings));
+    }
+    if !args.times.is_empty() {
+        return Err(Failure::Usage("--times is for a heat press: an iron has --speeds".to_owned()));
+    }
     let (spec, machine) = (&tested_spec(args, loaded)?, &loaded.machine);
     if args.only.contains(&CouponGroup::VActuator) && !spec.has_stars() {
         let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";

@@ -157,8 +157,8 @@ pub fn nearest<'k>(name: &str, keywords: &'k [String]) -> Option<&'k str> {
     spec::nearest(name, keywords.iter().map(String::as_str))
 }
 
-/// Options about the output and the cache.
-const OF_THE_SCREEN: [&str; 6] = ["verbose", "quiet", "json", "output", "vtu", "no-cache"];
+/// Options about the output, the cache, and the text of the spec, which a caller has read already.
+const OF_THE_SCREEN: [&str; 7] = ["verbose", "quiet", "json", "output", "vtu", "no-cache", "fabric"];
 
 /// The arguments of a command from its options and the spec's path, if it takes one.
 fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {

@@ -7,9 +7,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
 use crate::cli::words::beyond;
-use crate::pipeline::{Built, Forecast};
-use design::Paper;
-use proof::artifact::{Format, Kind, KindRequest, Output, too_large};
+use crate::pipeline::{Built, Forecast, no_requested_programs};
+use design::{Paper, Refusals};
+use proof::artifact::{Kind, KindRequest, Output, too_large};
 
 /// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]
@@ -30,8 +30,9 @@ impl Kinds {
 
     /// Refuses programs for a heat press.
     pub(super) fn refuse_programs(&self, loaded: &Loaded) -> Result<(), Failure> {
-        let program = self.only.iter().chain(&self.with).find(|kind| kind.format() == Format::Gcode);
-        program.map_or(Ok(()), |kind| loaded.with_programs(kind.name()))
+        let refusals: Refusals =
+            no_requested_programs(&loaded.reading.spec, &self.request()).into_iter().collect();
+        refusals.or(()).map_err(|refusals| loaded.refused(refusals))
     }
 
     /// Reports the kinds named in the options that the design of `built` does not have, and the files of `request` that are too large for

@@ -1,6 +1,6 @@
 //! From the filled-in table of a peel test to the seal settings of a spec.
 //!
-//! A **setting** is a commanded temperature, speed and height. It **holds** if the lower bound of its peel strength, mean less two standard
+//! A **setting** is a commanded temperature, and speed and height of an iron or time of a press. It **holds** if the lower bound of its peel strength, mean less two standard
 //! deviations, is at least the margin times the required strength. Of the settings that hold the fastest is chosen, of equals the
 //! strongest. Fewer than three specimens of a setting, or a spread above a quarter, support no choice. Without a required strength there is
 //! none either, because even the weakest seal would pass.
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use crate::coupon::strips::{TEMPERATURES, WIDTH};
 use crate::coupon::table::{TableColumn, read_table};
 use spec::units::Readable;
-use spec::{Allowed, CONTACT, Faults, SEAL_SPEEDS, Source};
+use spec::{Allowed, CONTACT, Faults, PRESS_TIMES, SEAL_SPEEDS, Source};
 
 /// Least number of specimens of a setting.
 const LEAST: usize = 3;
@@ -25,15 +25,39 @@ const STRONGEST: f64 = 200.0;
 /// Ten times the speed of the paper, mm/s: above it, mm/min may have been written as mm/s.
 const FAST: f64 = 1.0;
 
-/// The columns of the table that `coupon` writes, with the numbers that a spec and a profile may have.
-const COLUMNS: [TableColumn; 4] = [
+const TEMPERATURE: TableColumn = TableColumn {
+    names: &["temperature"],
+    unit: "C",
+    allowed: TEMPERATURES,
+    optional: false,
+    slip: "convert degrees Fahrenheit to C; check whether the columns are exchanged",
+};
+
+/// Empty where a strip was not tested.
+const PEEL: TableColumn = TableColumn {
+    names: &["peel"],
+    unit: "N",
+    allowed: Allowed::closed(0.0, STRONGEST * WIDTH),
+    optional: true,
+    slip: "write pulls above 0, and convert mN to N",
+};
+
+/// The columns of the table that `coupon` writes for a press, with the numbers that a spec may have.
+const PRESS_COLUMNS: [TableColumn; 3] = [
+    TEMPERATURE,
     TableColumn {
-        names: &["temperature"],
-        unit: "C",
-        allowed: TEMPERATURES,
+        names: &["time"],
+        unit: "s",
+        allowed: PRESS_TIMES,
         optional: false,
-        slip: "convert degrees Fahrenheit to C; check whether the columns are exchanged",
+        slip: "convert minutes to s; check whether the columns are exchanged",
     },
+    PEEL,
+];
+
+/// The columns of the table that `coupon` writes for an iron, with the numbers that a spec and a profile may have.
+const COLUMNS: [TableColumn; 4] = [
+    TEMPERATURE,
     TableColumn {
         names: &["speed"],
         unit: "mm_s",
@@ -48,25 +72,51 @@ const COLUMNS: [TableColumn; 4] = [
         optional: false,
         slip: "convert um to mm; check whether the columns are exchanged",
     },
-    // Empty where a strip was not tested.
-    TableColumn {
-        names: &["peel"],
-        unit: "N",
-        allowed: Allowed::closed(0.0, STRONGEST * WIDTH),
-        optional: true,
-        slip: "write pulls above 0, and convert mN to N",
-    },
+    PEEL,
 ];
+
+/// How long a tool heats each place of a seam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ToolPace {
+    /// An iron that moves along.
+    Iron {
+        /// Speed, mm/s.
+        speed: f64,
+        /// Height of the tip, mm.
+        height: f64,
+    },
+    /// Plates that rest.
+    Press {
+        /// Time under pressure, s.
+        time: f64,
+    },
+}
+
+impl ToolPace {
+    /// Two numbers that tell settings of one tool apart.
+    fn numbers(self) -> [f64; 2] {
+        match self {
+            Self::Iron { speed, height } => [speed, height],
+            Self::Press { time } => [time, 0.0],
+        }
+    }
+
+    /// A number that grows as a part is made faster.
+    fn haste(self) -> f64 {
+        match self {
+            Self::Iron { speed, .. } => speed,
+            Self::Press { time } => 1.0 / time,
+        }
+    }
+}
 
 /// One filled-in row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeelRow {
     /// Temperature, in degrees Celsius.
     pub temperature: f64,
-    /// Speed, mm/s.
-    pub speed: f64,
-    /// Height, mm.
-    pub height: f64,
+    /// Speed and height, or time.
+    pub pace: ToolPace,
     /// Peel force of the specimen, N over its 25 mm.
     pub peel: f64,
 }
@@ -86,13 +136,25 @@ pub struct Calibration {
     pub count: usize,
 }
 
-/// Reads the table; rows without a peel force were not tested and are left out.
+/// Reads the table of a press; rows without a peel force were not tested and are left out.
+///
+/// # Errors
+/// All faults of the table, see [`read_table`].
+pub fn read_press_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
+    let tested = |[temperature, time, peel]: [Option<f64>; 3]| {
+        Some(PeelRow { temperature: temperature?, pace: ToolPace::Press { time: time? }, peel: peel? })
+    };
+    Ok(read_table(source, &PRESS_COLUMNS)?.into_iter().filter_map(tested).collect())
+}
+
+/// Reads the table of an iron; rows without a peel force were not tested and are left out.
 ///
 /// # Errors
 /// All faults of the table, see [`read_table`].
 pub fn read_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
     let tested = |[temperature, speed, height, peel]: [Option<f64>; 4]| {
-        Some(PeelRow { temperature: temperature?, speed: speed?, height: height?, peel: peel? })
+        let pace = ToolPace::Iron { speed: speed?, height: height? };
+        Some(PeelRow { temperature: temperature?, pace, peel: peel? })
     };
     Ok(read_table(source, &COLUMNS)?.into_iter().filter_map(tested).collect())
 }
@@ -103,7 +165,8 @@ pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
     let mut found: Vec<(PeelRow, Vec<f64>)> = Vec::new();
     for row in rows {
         // 0 is added because 0 and -0 are one height.
-        let key = [row.temperature, row.speed, row.height].map(|x| (x + 0.0).to_bits());
+        let [first, second] = row.pace.numbers();
+        let key = [row.temperature, first, second].map(|x| (x + 0.0).to_bits());
         let place = *places.entry(key).or_insert(found.len());
         match found.get_mut(place) {
             Some((_, peels)) => peels.push(row.peel / WIDTH),
@@ -120,15 +183,15 @@ pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
 pub fn calibrate(settings: &[Calibration], needed: f64, margin: f64) -> Result<Calibration, String> {
     let least = (margin * needed).max(WEAKEST);
     let steady = steady(settings)?;
-    let best = steady
-        .iter()
-        .filter(|c| c.written() >= least)
-        .max_by(|a, b| a.setting.speed.total_cmp(&b.setting.speed).then(a.strength.total_cmp(&b.strength)));
+    let best = steady.iter().filter(|c| c.written() >= least).max_by(|a, b| {
+        let of_haste = a.setting.pace.haste().total_cmp(&b.setting.pace.haste());
+        of_haste.then(a.strength.total_cmp(&b.strength))
+    });
     best.copied().ok_or_else(|| {
         let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
         unsupported(&format!(
             "the strongest setting holds {strongest:.3} N/mm, but {least:.3} N/mm are needed ({margin} times \
-             {needed:.3}): seal slower or hotter, or use less pressure"
+             {needed:.3}): seal slower, longer or hotter, or use less pressure"
         ))
     })
 }
@@ -185,12 +248,14 @@ impl Calibration {
 
     /// The lines for the spec: a section of the process called `name`.
     pub fn process_toml(&self, name: &str) -> String {
-        let PeelRow { temperature, speed, height, .. } = self.setting;
+        let temperature = self.setting.temperature;
+        // A press has no processes: all seams are made at once.
+        let ToolPace::Iron { speed, height } = self.setting.pace else { return self.toml() };
         format!(
             "{}{}[process.{name}]\ntemperature = \"{temperature} C\"\nspeed = \"{speed} mm/s\"\nheight = \"{height} mm\"\n\
              strength = \"{:.3} N/mm\"\n",
             self.specimens(),
-            self.warning(),
+            warning(speed),
             self.written()
         )
     }
@@ -204,52 +269,54 @@ impl Calibration {
         )
     }
 
-    /// The comment on a speed that may be in another unit; empty for a usual one.
-    fn warning(&self) -> String {
-        let speed = self.setting.speed;
-        if speed > FAST {
-            format!(
-                "# {speed} mm/s is more than ten times the paper's 0.1 mm/s; if the strips were sealed at {speed} mm/min, \
-                 write speed = \"{} mm/s\"\n",
-                Readable(speed / 60.0)
-            )
-        } else {
-            String::new()
-        }
-    }
-
     /// The lines for the spec.
     pub fn toml(&self) -> String {
-        let (setting, strength, fast) = (self.setting, self.written(), self.warning());
+        let (specimens, strength, temperature) = (self.specimens(), self.written(), self.setting.temperature);
+        let fabric = format!("{specimens}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n");
+        match self.setting.pace {
+            ToolPace::Iron { speed, height } => format!(
+                "{fabric}# tip at {height} mm: heights.contact of the machine profile\n\
+                 {}[seal]\ntemperature = \"{temperature} C\"\nspeed = \"{speed} mm/s\"\n",
+                warning(speed)
+            ),
+            ToolPace::Press { time } => {
+                format!("{fabric}[press]\ntemperature = \"{temperature} C\"\ntime = \"{time} s\"\n")
+            }
+        }
+    }
+}
+
+/// The comment on a speed, mm/s, that may be in another unit; empty for a usual one.
+fn warning(speed: f64) -> String {
+    if speed > FAST {
         format!(
-            "{}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
-             # tip at {} mm: heights.contact of the machine profile\n\
-             {fast}[seal]\ntemperature = \"{} C\"\nspeed = \"{} mm/s\"\n",
-            self.specimens(),
-            setting.height,
-            setting.temperature,
-            setting.speed
+            "# {speed} mm/s is more than ten times the paper's 0.1 mm/s; if the strips were sealed at {speed} mm/min, \
+             write speed = \"{} mm/s\"\n",
+            Readable(speed / 60.0)
         )
+    } else {
+        String::new()
     }
 }
 
 /// The settings as a printed table, the fastest first; every line begins with "# ", as a comment of a spec.
 pub fn listing(settings: &[Calibration]) -> String {
     let mut sorted: Vec<&Calibration> = settings.iter().collect();
-    sorted.sort_by(|a, b| b.setting.speed.total_cmp(&a.setting.speed));
-    let mut out = String::from(
-        "# speed/(mm/s)  temperature/C  height/mm  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n",
-    );
+    sorted.sort_by(|a, b| b.setting.pace.haste().total_cmp(&a.setting.pace.haste()));
+    let is_pressed = sorted.iter().any(|c| matches!(c.setting.pace, ToolPace::Press { .. }));
+    let pace_heads =
+        if is_pressed { "time/s  temperature/C" } else { "speed/(mm/s)  temperature/C  height/mm" };
+    let mut out = format!("# {pace_heads}  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n");
     for c in sorted {
-        let PeelRow { temperature, speed, height, .. } = c.setting;
+        let temperature = c.setting.temperature;
+        let pace = match c.setting.pace {
+            ToolPace::Iron { speed, height } => format!("{speed:12}  {temperature:13}  {height:9}"),
+            ToolPace::Press { time } => format!("{time:6}  {temperature:13}"),
+        };
         let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
         // Writing to a String does not fail.
-        let _ = writeln!(
-            out,
-            "# {speed:12}  {temperature:13}  {height:9}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}",
-            c.count, c.mean
-        );
+        let _ = writeln!(out, "# {pace}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}", c.count, c.mean);
     }
     out
 }
@@ -272,16 +339,17 @@ mod tests {
         assert_eq!(rows().len(), 9);
         let settings = settings(&rows());
         let fast = calibrate(&settings, 1.0, 1.5).expect("0.5 mm/s holds");
-        assert_eq!((fast.setting.speed, fast.count), (0.5, 3));
+        assert_eq!((fast.setting.pace.haste(), fast.count), (0.5, 3));
         assert!((fast.mean - 2.0).abs() < 1e-12 && (fast.deviation - 0.08).abs() < 1e-12);
         assert!((fast.strength - 1.84).abs() < 1e-12 && fast.toml().contains("speed = \"0.5 mm/s\""));
         assert!(fast.toml().contains("seal_strength = \"1.840 N/mm\""), "{}", fast.toml());
-        assert_eq!(calibrate(&settings, 1.5, 1.5).expect("0.1 mm/s holds").setting.speed, 0.1);
+        assert_eq!(calibrate(&settings, 1.5, 1.5).expect("0.1 mm/s holds").setting.pace.haste(), 0.1);
     }
 
     #[test]
     fn a_strength_is_rounded_down() {
-        let row = |peel| PeelRow { temperature: 200.0, speed: 1.0, height: 0.0, peel };
+        let row =
+            |peel| PeelRow { temperature: 200.0, pace: ToolPace::Iron { speed: 1.0, height: 0.0 }, peel };
         let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
         assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
     }
@@ -308,10 +376,11 @@ mod tests {
 
     #[test]
     fn a_speed_that_may_be_in_mm_per_minute_is_said_to() {
-        let row = PeelRow { temperature: 200.0, speed: 12.0, height: 0.0, peel: 50.0 };
+        let pace = |speed| ToolPace::Iron { speed, height: 0.0 };
+        let row = PeelRow { temperature: 200.0, pace: pace(12.0), peel: 50.0 };
         let text = settings(&[row; 3])[0].toml();
         assert!(text.contains("sealed at 12 mm/min, write speed = \"0.2 mm/s\""), "{text}");
-        let slow = settings(&[PeelRow { speed: 1.0, ..row }; 3])[0].toml();
+        let slow = settings(&[PeelRow { pace: pace(1.0), ..row }; 3])[0].toml();
         assert!(!slow.contains("mm/min"), "{slow}");
     }
 
@@ -333,7 +402,11 @@ mod tests {
 
     #[test]
     fn settings_are_told_apart_by_all_of_their_values() {
-        let row = |temperature, speed, height| PeelRow { temperature, speed, height, peel: 25.0 };
+        let row = |temperature, speed, height| PeelRow {
+            temperature,
+            pace: ToolPace::Iron { speed, height },
+            peel: 25.0,
+        };
         let rows = [
             row(200.0, 1.0, 0.0),
             row(200.0, 1.0, -0.0),
@@ -342,5 +415,21 @@ mod tests {
             row(200.0, 1.0, 0.1),
         ];
         assert_eq!(settings(&rows).iter().map(|c| c.count).collect::<Vec<_>>(), [2, 1, 1, 1]);
+    }
+
+    /// A press: the shortest time that holds is chosen, and its values are those of [press].
+    #[test]
+    fn the_shortest_pressing_that_holds_is_chosen() {
+        let table = "strip,temperature_C,time_s,peel_N,failure\n1,145,5,30,seal\n2,145,5,31,seal\n3,145,5,29,seal\n\
+            4,145,10,75,fabric\n5,145,10,78,fabric\n6,145,10,72,fabric\n7,145,20,80,\n8,145,20,80,\n9,145,20,80,\n10,155,5,,\n";
+        let settings = settings(&read_press_rows(&Source::new("results.csv", table)).expect("a table"));
+        assert_eq!(settings.len(), 3);
+        let chosen = calibrate(&settings, 1.5, 1.5).expect("10 s hold").toml();
+        assert!(chosen.ends_with("[press]\ntemperature = \"145 C\"\ntime = \"10 s\"\n"), "{chosen}");
+        assert!(chosen.contains("seal_strength = \"2.760 N/mm\""), "{chosen}");
+        let first = listing(&settings).lines().nth(1).map(str::to_owned).unwrap_or_default();
+        assert!(first.starts_with("#      5            145          3"), "{first}");
+        let iron = read_press_rows(&Source::new("results.csv", TABLE)).expect_err("no time");
+        assert!(iron.to_string().contains("time_s"), "{iron}");
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod bias;
 mod calibration;
+mod press_cards;
 mod shapes;
 mod strips;
 mod table;
@@ -19,7 +20,10 @@ use program::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
 use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use spec::{Machine, Spec};
 
-pub use calibration::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
+pub use calibration::{
+    Calibration, PeelRow, ToolPace, calibrate, listing, read_press_rows, read_rows, settings, steady,
+};
+pub use press_cards::{PressGrid, press_drawings, press_table};
 pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, TEMPERATURES, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};

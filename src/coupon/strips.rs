@@ -108,7 +108,7 @@ impl StripGrid {
 }
 
 /// The first of `values` that is not `allowed`, as text with the allowed ones.
-fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
+pub(super) fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
     let wrong = values.iter().find(|value| !allowed.contains(value.base()))?;
     Some(format!("a {word} of {wrong}; it {}", allowed.in_words(Q::KIND.unit())))
 }

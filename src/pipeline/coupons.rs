@@ -1,7 +1,9 @@
 //! Coupons in the pipeline: planned, read back, and only then published.
 
 use crate::airtight;
-use crate::coupon::{Coupon, CouponGroup, StripGrid, coupons, overview, table};
+use crate::coupon::{
+    Coupon, CouponGroup, PressGrid, StripGrid, coupons, overview, press_drawings, press_table, table,
+};
 use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Tool, coupon_piece, sha256};
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
@@ -10,7 +12,7 @@ use geom::Path;
 use proof::artifact::{Artifact, Kind, Output, program_ending};
 use proof::verify;
 use proof::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
-use spec::units::{Length, Speed, Temperature};
+use spec::units::{Duration, Length, Speed, Temperature};
 use spec::{Machine, Spec};
 
 /// Every strip with its setting and its cut.
@@ -82,6 +84,37 @@ impl MadeCoupons {
             table: has_strips.then(|| table(&strips)),
             manifest: coupon_manifest,
         })
+    }
+
+    /// The strips of `grid` for the heat press of `spec`: drawings of fabric and paper, without programs.
+    pub fn pressed(spec: &Spec, sources: Sources<'_>, grid: &PressGrid) -> Self {
+        let file = |name: &str, kind: Kind, text: String| Artifact {
+            output: Output::new(kind),
+            name: name.to_owned(),
+            bytes: text.into_bytes(),
+        };
+        let mut files = vec![
+            file("spec.toml", Kind::Spec, sources.spec.to_owned()),
+            file("machine.toml", Kind::Machine, sources.machine.to_owned()),
+        ];
+        let drawings = press_drawings(spec, grid);
+        files.extend(drawings.into_iter().map(|(name, text)| file(name, Kind::SealSvg, text)));
+        let manifest = CouponManifest {
+            tool: Tool::current(),
+            name: spec.name.clone(),
+            coupons: CouponChoice {
+                temperatures: grid.temperatures.iter().map(|temperature| temperature.0).collect(),
+                speeds: Vec::new(),
+                heights: Vec::new(),
+                times: grid.times.iter().map(|time| time.0).collect(),
+                repeats: grid.repeats,
+                only: vec!["strips".to_owned()],
+                process: None,
+            },
+            files: files.iter().map(ManifestFile::new).collect(),
+            pieces: Vec::new(),
+        };
+        Self { coupons: Vec::new(), files, table: Some(press_table(spec, grid)), manifest }
     }
 
     /// These coupons, which are sealed by the process called `name` in the place of `[seal]`.
@@ -199,9 +232,18 @@ pub(super) fn prove_coupons(manifest: &CouponManifest, files: &OutputFiles<'_>) 
     };
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
-    let Some((grid, groups)) = settings_of(&manifest.coupons, &machine) else {
+    let other_settings = || {
         let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
-        return failed(vec![finding.in_file(MANIFEST)]);
+        failed(vec![finding.in_file(MANIFEST)])
+    };
+    if reading.spec.press.is_some() {
+        return match press_settings_of(&manifest.coupons) {
+            Some(grid) => MadeCoupons::pressed(&reading.spec, sources, &grid).proof(manifest, files),
+            None => other_settings(),
+        };
+    }
+    let Some((grid, groups)) = settings_of(&manifest.coupons, &machine) else {
+        return other_settings();
     };
     let process = manifest.coupons.process.as_deref();
     let process = process.map(|name| reading.spec.process(name));
@@ -210,6 +252,18 @@ pub(super) fn prove_coupons(manifest: &CouponManifest, files: &OutputFiles<'_>) 
         Ok(made) => made.of_process(process.map(|process| process.name)).proof(manifest, files),
         Err(refusals) => failed(refused(refusals)),
     }
+}
+
+/// The settings of a press in a manifest; `None` if `coupon` would refuse them.
+fn press_settings_of(choice: &CouponChoice) -> Option<PressGrid> {
+    let grid = PressGrid {
+        temperatures: choice.temperatures.iter().copied().map(Temperature).collect(),
+        times: choice.times.iter().copied().map(Duration).collect(),
+        repeats: choice.repeats,
+    };
+    let strips = choice.temperatures.len().checked_mul(choice.times.len())?.checked_mul(choice.repeats)?;
+    let is_possible = (1..=MOST_STRIPS).contains(&strips) && choice.repeats <= 20 && grid.refusal().is_none();
+    is_possible.then_some(grid)
 }
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
@@ -261,6 +315,7 @@ fn manifest(
             temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
             speeds: grid.speeds.iter().map(|v| v.0).collect(),
             heights: grid.heights.iter().map(|h| h.0).collect(),
+            times: Vec::new(),
             repeats: grid.repeats,
             only: named_groups.map(|(name, _)| (*name).to_owned()).collect(),
             process: None,

@@ -5,6 +5,7 @@ use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::Program;
+use proof::artifact::{Format, KindRequest};
 use spec::{Machine, SealingTool, Spec, key};
 
 /// A gripper that the machine can seal.
@@ -60,6 +61,12 @@ pub fn no_programs(spec: &Spec, subject: &str) -> Option<Refusal> {
     let found = format!("{subject} needs a program, and a heat press runs none");
     let remedy = "ask for separator-svg, outline-svg or press-plan, or name a machine with an iron";
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, found, remedy))
+}
+
+/// The refusal of the first program that `request` names, for a press; `None` without one, or for a machine with an iron.
+pub fn no_requested_programs(spec: &Spec, request: &KindRequest) -> Option<Refusal> {
+    let program = request.only.iter().chain(&request.with).find(|kind| kind.format() == Format::Gcode)?;
+    no_programs(spec, program.name())
 }
 
 /// A failed prediction, as a refusal at the key that causes it.

@@ -8,6 +8,7 @@ mod editor;
 mod machines;
 mod materials;
 mod mechanics;
+mod press;
 mod program;
 mod publish;
 mod screen;

@@ -6,7 +6,7 @@ use crate::{Refusal, RefusalCode};
 use geom::{Bounds, Isometry, Path, Point};
 use sealed::{PieceName, SealedShape};
 use spec::units::{Least, Length, Most, Readable, tenths_up};
-use spec::{Machine, Sheet, key};
+use spec::{Machine, SealingTool, Sheet, key};
 
 /// One sheet: its frame has the origin at the lower left.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +34,7 @@ pub(super) fn place(
     sheet: &Sheet,
     machine: &Machine,
 ) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
+    sheet_on_plates(sheet, machine)?;
     let room = FreeArea::new(sheet, machine);
     room.refuse(boxes, sheet, machine)?;
     let columns = match sheet.width {
@@ -100,6 +101,14 @@ impl FreeArea {
         fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
+        if machine.tool == SealingTool::Press {
+            let margins = 2.0 * sheet.margin.0;
+            return Err(beyond_plates(
+                [part.width() + margins, part.height() + margins],
+                [x, y],
+                "a part with its margins",
+            ));
+        }
         let size_text = size(tenths_up(part.width()), tenths_up(part.height()));
         let missing = Readable(tenths_up((part.width() - self.width).max(part.height() - self.height)));
         let reach_text = if self.width.min(self.height) > 0.0 {
@@ -213,6 +222,32 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     let fault = format!("a part is {}", faults.collect::<Vec<_>>().join(", and one is "));
     let remedy = format!("must be {}", remedy.collect::<Vec<_>>().join(" and "));
     Err(Refusal::new(*key, RefusalCode::SheetTooSmall, fault, remedy))
+}
+
+/// The refusal of a `subject` of these sides, mm, which no press of these `plates` presses at once.
+fn beyond_plates(sides: [f64; 2], plates: [Length; 2], subject: &str) -> Refusal {
+    let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
+    let [width, height] = sides.map(tenths_up);
+    let [x, y] = plates.map(|length| length.0);
+    let fault = format!("{subject} is {}, and the plates are {}", size(width, height), size(x, y));
+    let remedy = format!(
+        "must be plates of at least {}: a larger press, a smaller part, or smaller `width`, `height` and `margin` in [sheet]",
+        size(width.max(x), height.max(y))
+    );
+    Refusal::new(key::press::PLATES, RefusalCode::OutOfReach, fault, remedy)
+}
+
+/// The refusal of a sheet whose stated sides are larger than the plates of the press.
+fn sheet_on_plates(sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
+    let Some((x, y)) = machine.bench.work_area.filter(|_| machine.tool == SealingTool::Press) else {
+        return Ok(());
+    };
+    let sides = [sheet.width, sheet.height].map(|side| side.map_or(0.0, |length| length.0));
+    if sides[0] <= x.0 && sides[1] <= y.0 {
+        return Ok(());
+    }
+    let stated = [sheet.width.unwrap_or(x).0, sheet.height.unwrap_or(y).0];
+    Err(beyond_plates(stated, [x, y], "the sheet"))
 }
 
 /// One piece on its sheet.

@@ -73,7 +73,7 @@ pub use model::{
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};
-pub use press::{PAPER_CREEP, PRESS_PROFILE, PaperSize, Press, PressLayer};
+pub use press::{PAPER_CREEP, PRESS_PROFILE, PRESS_TIMES, PaperSize, Press, PressLayer};
 pub use product::ProductKind;
 pub use profile::{
     CONTACT, LEAST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine, builtin_machine, builtin_machines,

@@ -154,7 +154,7 @@ fn refuse_iron(reader: &mut Reader<'_>) {
 }
 
 /// Shortest and longest pressing, s: below a second the fabric is not warm through, and no source presses longer than minutes.
-const TIMES: Allowed = Allowed::closed(0.5, 600.0);
+pub const PRESS_TIMES: Allowed = Allowed::closed(0.5, 600.0);
 /// Pressures of a hand iron up to that of a hydraulic press, kPa.
 const PRESSURES: Allowed = Allowed::closed(1.0, 5e3);
 /// From body heat up; the release layer sets the upper limit.
@@ -164,7 +164,7 @@ const TEMPERATURES: Allowed = Allowed::closed(40.0, 400.0);
 pub(super) fn read_section(s: &mut Section<'_, '_>) -> Press {
     let press = Press {
         temperature: s.quantity("temperature", TEMPERATURES).unwrap_or(Temperature(145.0)),
-        time: s.quantity("time", TIMES).unwrap_or(Duration(10.0)),
+        time: s.quantity("time", PRESS_TIMES).unwrap_or(Duration(10.0)),
         pressure: s.quantity("pressure", PRESSURES).unwrap_or(Pressure(200.0)),
         layers: read_layers(s),
         creep: s.length("creep", EXTRA, PAPER_CREEP),

@@ -7,7 +7,7 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
-use stargrip_cam::pipeline::{Built, Forecast, Planned, Sources, prove_files};
+use stargrip_cam::pipeline::{Built, Forecast, Planned, Sources, no_requested_programs, prove_files};
 use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
@@ -27,9 +27,15 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -
     let loaded = Given::of(question, files)?;
     let (forecast, mut answer, mut faults) =
         judged(&loaded, text(question, "model").and_then(model), Some(tell))?;
+    let request = request(question);
+    if let Some(refusal) = no_requested_programs(&loaded.reading.spec, &request) {
+        faults.extend(of_design(&loaded.source, &loaded.reading, Refusals::from_iter([refusal])));
+        answer["faults"] = faults.into();
+        return Err(answer);
+    }
     let sources = Sources { spec: &loaded.source.text, machine: &loaded.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
-    let built = forecast.build(sources, &request(question));
+    let built = forecast.build(sources, &request);
     let files = if question["prove"] == false || !is_taken {
         let is_shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
         let files = built.artifacts.into_iter().filter(|file| is_taken || is_shown(file.output.kind));

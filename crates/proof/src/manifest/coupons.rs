@@ -22,7 +22,7 @@ pub struct CouponManifest {
 /// The settings of the strips, and the groups of coupons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponChoice {
-    /// Temperatures of the iron.
+    /// Temperatures of the iron, or of the plates.
     #[serde(rename = "temperatures_C")]
     pub temperatures: Vec<f64>,
     /// Speeds of the iron.
@@ -31,6 +31,9 @@ pub struct CouponChoice {
     /// Heights of the tip in contact.
     #[serde(rename = "heights_mm")]
     pub heights: Vec<f64>,
+    /// Times of a press, s; absent for an iron.
+    #[serde(rename = "times_s", default, skip_serializing_if = "Vec::is_empty")]
+    pub times: Vec<f64>,
     /// Number of seals with each setting.
     pub repeats: usize,
     /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
