@@ -40,22 +40,26 @@ const OTHERS: [(&[u8], &str, &str); 7] = [
     (b"\x89PNG", "PNG", "Trace the picture in a drawing program, and save SVG."),
 ];
 
+/// A fault of the file as a whole.
+fn file_fault(text: String, remedy: &str) -> Vec<Fault> {
+    Fault::single(Place::default(), text, remedy)
+}
+
 /// Refuses bytes that are of another format or too many, and options out of their range.
 pub(crate) fn admit(bytes: &[u8], format: Format, options: &Options) -> Result<(), Vec<Fault>> {
-    let fault = |text: String, remedy: &str| Fault::only(Place::default(), text, remedy);
     if !(1e-6..=10.0).contains(&options.tolerance) {
         let text = format!("The tolerance is {} mm; 1e-6 mm to 10 mm are allowed.", options.tolerance);
-        return Err(fault(text, "Change it."));
+        return Err(file_fault(text, "Change it."));
     }
     if bytes.len() > options.limits.bytes {
         let text = format!("The file has {} bytes; {} are allowed.", bytes.len(), options.limits.bytes);
-        return Err(fault(
+        return Err(file_fault(
             text,
             "Remove what is not needed, such as embedded pictures, or split the drawing.",
         ));
     }
     if let Some((_, name, remedy)) = OTHERS.iter().find(|row| bytes.starts_with(row.0)) {
-        return Err(fault(format!("The file is {name}, not {}.", format.name()), remedy));
+        return Err(file_fault(format!("The file is {name}, not {}.", format.name()), remedy));
     }
     // A file of two bytes a character begins alike once its zeros are left out.
     let head: Vec<u8> = bytes.iter().take(4096).copied().filter(|byte| *byte != 0).collect();
@@ -72,10 +76,10 @@ pub(crate) fn admit(bytes: &[u8], format: Format, options: &Options) -> Result<(
         Some(actual_format) if actual_format == format => Ok(()),
         Some(actual_format) => {
             let text = format!("The file is {}, not {}.", actual_format.name(), format.name());
-            Err(fault(text, "Change the ending of its name."))
+            Err(file_fault(text, "Change the ending of its name."))
         }
-        None if text.is_empty() => Err(fault("The file is empty.".into(), "Export the drawing again.")),
-        None => Err(fault(
+        None if text.is_empty() => Err(file_fault("The file is empty.".into(), "Export the drawing again.")),
+        None => Err(file_fault(
             format!("The file is not {}.", format.name()),
             "Export the drawing as SVG or as ASCII DXF.",
         )),

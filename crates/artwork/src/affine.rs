@@ -48,8 +48,8 @@ impl Affine {
         self.x * v.x + self.y * v.y
     }
 
-    /// First `inner`, then this map.
-    pub(crate) fn after(&self, inner: &Self) -> Self {
+    /// This map of the images under `inner`.
+    pub(crate) fn following(&self, inner: &Self) -> Self {
         Self { x: self.vector(inner.x), y: self.vector(inner.y), origin: self.point(inner.origin) }
     }
 }
@@ -71,8 +71,9 @@ mod tests {
 
     #[test]
     fn the_inner_map_comes_first() {
-        let map = Affine::translate(10.0, 0.0).after(&Affine::rotate(90.0)).after(&Affine::scale(2.0, 3.0));
+        let map =
+            Affine::translate(10.0, 0.0).following(&Affine::rotate(90.0)).following(&Affine::scale(2.0, 3.0));
         assert_eq!(map.point(Point::new(1.0, 1.0)), Point::new(7.0, 2.0));
-        assert_eq!(Affine::IDENTITY.after(&map), map);
+        assert_eq!(Affine::IDENTITY.following(&map), map);
     }
 }

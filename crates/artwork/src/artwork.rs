@@ -101,7 +101,7 @@ pub struct Fault {
 
 impl Fault {
     /// A fault that ends reading.
-    pub(crate) fn only(place: Place, text: impl Into<String>, remedy: &str) -> Vec<Self> {
+    pub(crate) fn single(place: Place, text: impl Into<String>, remedy: &str) -> Vec<Self> {
         vec![Self { place, text: text.into(), remedy: remedy.into() }]
     }
 }

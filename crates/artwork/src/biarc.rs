@@ -47,7 +47,8 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, segments: &m
         if accepted {
             match biarc.filter(|_| error <= allowed) {
                 Some(arcs) => {
-                    if !arcs.append(straight, first, (tolerance - allowed, limit), segments) {
+                    let bounds = ArcBounds { straight, chordal: tolerance - allowed, limit };
+                    if !arcs.append(&bounds, first, segments) {
                         return false;
                     }
                 }
@@ -80,22 +81,20 @@ struct Span {
 
 impl Span {
     fn new(curve: &impl Curve, a: f64, b: f64) -> Self {
-        let sample_point = |i: u32| curve.point(a + (b - a) * f64::from(i) / f64::from(SAMPLES));
         let mut samples = [Point::ORIGIN; SAMPLES as usize - 1];
         for (sample, i) in samples.iter_mut().zip(1..) {
-            *sample = sample_point(i);
+            *sample = curve.point(a + (b - a) * f64::from(i) / f64::from(SAMPLES));
         }
         // A derivative that vanishes at an end (a control point on the end) has the direction of the next point.
         let ends = [curve.point(a), curve.point(b)];
         let chord = (ends[1] - ends[0]).length();
         let small = 1e-9 * (chord + samples[0].distance(ends[0])) / (b - a);
-        let tangent = |t: f64, inner: f64, sign: f64| {
+        let small_step = 1e-4 * (b - a);
+        let tangents = [(a, a + small_step, 1.0), (b, b - small_step, -1.0)].map(|(t, inner, sign)| {
             let v = curve.derivative(t);
             let v = if v.length() > small { v } else { (curve.point(inner) - curve.point(t)) * sign };
             v.normalized()
-        };
-        let small_step = 1e-4 * (b - a);
-        let tangents = [tangent(a, a + small_step, 1.0), tangent(b, b - small_step, -1.0)];
+        });
         Self { ends, tangents, samples }
     }
 
@@ -170,6 +169,16 @@ impl Span {
     }
 }
 
+/// Bounds on arcs that are written.
+struct ArcBounds {
+    /// An arc that leaves its chord by less is written as a line, mm.
+    straight: f64,
+    /// Distance of the chords that replace an arc of too large a radius, mm.
+    chordal: f64,
+    /// Most segments of the curve.
+    limit: usize,
+}
+
 /// Two arcs through three points, with the tangents at the first two.
 #[derive(Clone, Copy)]
 struct Biarc {
@@ -178,15 +187,10 @@ struct Biarc {
 }
 
 impl Biarc {
-    /// Appends its arcs, those of a too large radius as chords within `chordal`; arcs of one circle become one, also with the arc before it
-    /// (from index `first` on). `false` if `segments` would exceed `limit` segments.
-    fn append(
-        &self,
-        straight: f64,
-        first: usize,
-        (chordal, limit): (f64, usize),
-        segments: &mut Vec<Segment>,
-    ) -> bool {
+    /// Appends the arcs within `bounds`; arcs of one circle become one, also with the arc before it (from index `first` on). `false` if
+    /// `segments` would exceed the limit.
+    fn append(&self, bounds: &ArcBounds, first: usize, segments: &mut Vec<Segment>) -> bool {
+        let ArcBounds { straight, chordal, limit } = *bounds;
         let ends = [[self.points[0], self.points[1]], [self.points[1], self.points[2]]];
         self.segments(straight).iter().zip(ends).all(|(segment, ends)| {
             match (segment, segments[first..].last_mut()) {

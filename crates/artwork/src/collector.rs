@@ -38,7 +38,7 @@ pub(crate) struct Chain {
 
 impl Chain {
     /// A single piece.
-    pub(crate) fn of(piece: Piece, start: Point) -> Self {
+    pub(crate) fn single(piece: Piece, start: Point) -> Self {
         Self { pieces: vec![piece], closed: false, start }
     }
 }
@@ -153,8 +153,8 @@ impl<'o> Collector<'o> {
 
     /// The elements from number `first` on that can be seen.
     pub(crate) fn seen_elements(&self, first: usize) -> impl Iterator<Item = &Element> {
-        let later = self.unseen.partition_point(|(number, _)| *number < first);
-        let unseen = self.unseen[later..].iter().map(|(number, _)| *number);
+        let start = self.unseen.partition_point(|(number, _)| *number < first);
+        let unseen = self.unseen[start..].iter().map(|(number, _)| *number);
         let mut unseen = unseen.peekable();
         let numbered = self.drawing.elements.iter().enumerate().skip(first);
         numbered.filter(move |(number, _)| unseen.next_if_eq(number).is_none()).map(|(_, element)| element)
@@ -192,7 +192,7 @@ impl<'o> Collector<'o> {
         if point.x.abs().max(point.y.abs()) <= FARTHEST && !(point.x + point.y).is_nan() {
             self.push(place, Figure::Point(point));
         } else {
-            self.far(place);
+            self.refuse_coordinate(place);
         }
     }
 
@@ -204,7 +204,7 @@ impl<'o> Collector<'o> {
             let piece = piece.mapped(map);
             // Written so that NaN is refused.
             if piece.extent() > FARTHEST {
-                self.far(place);
+                self.refuse_coordinate(place);
                 return Ok(());
             }
             if !piece.append(self.options.tolerance, room, &mut segments) {
@@ -240,7 +240,7 @@ impl<'o> Collector<'o> {
         });
     }
 
-    fn far(&mut self, place: Place) {
+    fn refuse_coordinate(&mut self, place: Place) {
         let text = format!("A coordinate is more than {FARTHEST} mm from the origin, or not a number.");
         self.fault(place, text, "Check the unit and the transforms, and move the drawing to the origin.");
     }
@@ -256,7 +256,7 @@ fn turns(segments: &[Segment]) -> bool {
 /// A bulge below 1e-12 is a line: it errs by at most 5e-13 of the chord.
 pub(crate) fn bulged(start: Point, end: Point, bulge: f64) -> Piece {
     match geom::Arc::from_bulge(start, end, bulge).filter(|_| bulge.abs() >= 1e-12) {
-        Some(arc) => Piece::arc(arc.center, arc.radius, arc.start_angle, arc.sweep).between([start, end]),
+        Some(arc) => Piece::arc(arc.center, arc.radius, arc.start_angle, arc.sweep).with_ends([start, end]),
         None => Piece::Line(start, end),
     }
 }

@@ -50,6 +50,10 @@ fn wide(bytes: &[u8]) -> Option<String> {
     Some(char::decode_utf16(bytes[skip..].chunks(2).map(unit)).map(|c| c.unwrap_or('\u{fffd}')).collect())
 }
 
+/// Names of encodings that are read as windows-1252.
+const LATIN: [&str; 7] =
+    ["iso-8859-1", "latin1", "latin-1", "windows-1252", "cp1252", "iso8859-1", "us-ascii"];
+
 /// The text in the encoding that an XML declaration names; `valid` bytes of it are UTF-8.
 fn declared(bytes: &[u8], valid: usize) -> Result<String, Vec<Fault>> {
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]).into_owned();
@@ -58,18 +62,15 @@ fn declared(bytes: &[u8], valid: usize) -> Result<String, Vec<Fault>> {
         let rest = rest.trim_start_matches([' ', '=', '"', '\'']);
         rest.split(['"', '\'', ' ']).next().unwrap_or_default().to_ascii_lowercase()
     });
-    let is_latin = |name: &str| {
-        ["iso-8859-1", "latin1", "latin-1", "windows-1252", "cp1252", "iso8859-1", "us-ascii"].contains(&name)
-    };
     match name {
-        Some(name) if is_latin(&name) => Ok(bytes.iter().map(|&byte| latin(byte)).collect()),
+        Some(name) if LATIN.contains(&name.as_str()) => Ok(bytes.iter().map(|&byte| latin(byte)).collect()),
         Some(name) if !matches!(name.as_str(), "" | "utf-8" | "utf8") => {
             let text = format!("The encoding {name} is not read; UTF-8, UTF-16 and ISO-8859-1 are.");
-            Err(Fault::only(Place::line(1), text, "Save the file as UTF-8."))
+            Err(Fault::single(Place::line(1), text, "Save the file as UTF-8."))
         }
         _ => {
             let line = bytes[..valid].split(|&byte| byte == b'\n').count();
-            Err(Fault::only(Place::line(line), "The text is not UTF-8.", "Save the file as UTF-8."))
+            Err(Fault::single(Place::line(line), "The text is not UTF-8.", "Save the file as UTF-8."))
         }
     }
 }
@@ -95,21 +96,22 @@ fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
 mod tests {
     use super::*;
 
+    fn utf16(text: &str, is_big: bool, has_mark: bool) -> Vec<u8> {
+        let units = has_mark.then_some(0xfeff).into_iter().chain(text.encode_utf16());
+        units.flat_map(|unit: u16| if is_big { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect()
+    }
+
     #[test]
     fn the_same_text_comes_out_of_every_encoding() {
         let text = "<?xml version='1.0' encoding='ISO-8859-1'?>\n<svg id='\u{e4}\u{df}'/>";
         let latin: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1")).collect();
-        let wide = |big: bool, mark: bool| -> Vec<u8> {
-            let units = mark.then_some(0xfeff).into_iter().chain(text.encode_utf16());
-            units.flat_map(|unit: u16| if big { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect()
-        };
         let files = [
             text.as_bytes().to_vec(),
             latin,
-            wide(true, true),
-            wide(false, true),
-            wide(true, false),
-            wide(false, false),
+            utf16(text, true, true),
+            utf16(text, false, true),
+            utf16(text, true, false),
+            utf16(text, false, false),
         ];
         for bytes in &files {
             assert_eq!(svg(bytes).expect("read"), text);
@@ -118,9 +120,10 @@ mod tests {
             svg(b"<?xml encoding=\"windows-1252\"?><a b='\x80'/>").expect("read"),
             "<?xml encoding=\"windows-1252\"?><a b='\u{20ac}'/>"
         );
-        let refused = |bytes: &[u8]| svg(bytes).expect_err("refused")[0].text.clone();
-        assert!(refused(b"<?xml encoding='Shift_JIS'?><a b='\x83'/>").contains("shift_jis"));
-        assert_eq!(refused(b"<a b='\x83'/>"), "The text is not UTF-8.");
+        let [japanese, undeclared] = [&b"<?xml encoding='Shift_JIS'?><a b='\x83'/>"[..], b"<a b='\x83'/>"]
+            .map(|bytes| svg(bytes).expect_err("refused")[0].text.clone());
+        assert!(japanese.contains("shift_jis"));
+        assert_eq!(undeclared, "The text is not UTF-8.");
         assert_eq!(svg(b"<a>\r<b/>\r</a>").expect("read"), "<a>\n<b/>\n</a>");
         assert_eq!(dxf(b"0\r\nEOF\r\n").0, "0\r\nEOF\r\n");
         assert_eq!(dxf(b"0\rEOF\r"), ("0\nEOF\n".into(), false));

@@ -39,7 +39,7 @@ impl Piece {
     }
 
     /// The elliptical arc, between these ends.
-    pub(crate) fn between(self, ends: [Point; 2]) -> Self {
+    pub(crate) fn with_ends(self, ends: [Point; 2]) -> Self {
         match self {
             Self::Ellipse { center, u, v, start, sweep, .. } => {
                 Self::Ellipse { center, u, v, start, sweep, ends }
@@ -76,18 +76,20 @@ impl Piece {
     /// Largest absolute coordinate of the points that span the piece; NaN counts as infinite. The centre of an arc that turns by half a
     /// circle at most is no point of it.
     pub(crate) fn extent(&self) -> f64 {
-        let point = |p: &Point| p.x.abs().max(p.y.abs()) + 0.0 * (p.x + p.y);
         let largest = match self {
-            Self::Line(a, b) => [point(a), point(b)].into_iter().fold(0.0, worse),
+            Self::Line(a, b) => [a, b].into_iter().map(farthest_coordinate).fold(0.0, worse),
             Self::Ellipse { center, u, v, start, sweep, ends } => {
                 let reach = if sweep.abs() <= PI { rise(*u, *v, *sweep) } else { u.length() + v.length() };
-                let farthest =
-                    if sweep.abs() <= PI { ends.iter().map(point).fold(0.0, worse) } else { point(center) };
+                let farthest = if sweep.abs() <= PI {
+                    ends.iter().map(farthest_coordinate).fold(0.0, worse)
+                } else {
+                    farthest_coordinate(center)
+                };
                 farthest + reach + 0.0 * (start + sweep)
             }
-            Self::Cubic(points) => points.iter().map(point).fold(0.0, worse),
+            Self::Cubic(points) => points.iter().map(farthest_coordinate).fold(0.0, worse),
             Self::Rational(points) => {
-                points.iter().map(|[x, y, w]| point(&Point::new(x / w, y / w))).fold(0.0, worse)
+                points.iter().map(|[x, y, w]| farthest_coordinate(&Point::new(x / w, y / w))).fold(0.0, worse)
             }
         };
         if largest.is_nan() { f64::INFINITY } else { largest }
@@ -212,15 +214,24 @@ impl Curve for Vec<[f64; 3]> {
     }
 }
 
+/// Largest absolute coordinate; NaN or infinite if one of them is.
+fn farthest_coordinate(p: &Point) -> f64 {
+    p.x.abs().max(p.y.abs()) + 0.0 * (p.x + p.y)
+}
+
 /// Derivative and value of a Bezier in homogeneous coordinates, by de Casteljau's algorithm.
 fn casteljau(points: &[[f64; 3]], t: f64) -> ([f64; 3], [f64; 3]) {
-    let mix = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| (1.0 - t) * a[i] + t * b[i]);
     let mut level = points.to_vec();
     while level.len() > 2 {
-        level = level.windows(2).map(|pair| mix(pair[0], pair[1])).collect();
+        level = level.windows(2).map(|pair| mixed(pair[0], pair[1], t)).collect();
     }
     #[expect(clippy::cast_precision_loss, reason = "a degree is small")]
     let degree = (points.len() - 1) as f64;
     let [a, b] = [level[0], level[level.len() - 1]];
-    ([0, 1, 2].map(|i| degree * (b[i] - a[i])), mix(a, b))
+    ([0, 1, 2].map(|i| degree * (b[i] - a[i])), mixed(a, b, t))
+}
+
+/// The point at the fraction `t` from `a` to `b`.
+fn mixed(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
+    [0, 1, 2].map(|i| (1.0 - t) * a[i] + t * b[i])
 }

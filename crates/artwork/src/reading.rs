@@ -14,7 +14,7 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Artwork, Vec<
             let ending = name.rsplit_once('.').map_or("no ending", |(_, ending)| ending);
             let ending: String = ending.chars().take(20).collect();
             let text = format!("The ending of the file name is \"{ending}\"; \"svg\" and \"dxf\" are read.");
-            Err(Fault::only(Place::default(), text, "Export the drawing as SVG or as ASCII DXF."))
+            Err(Fault::single(Place::default(), text, "Export the drawing as SVG or as ASCII DXF."))
         }
     }
 }

@@ -56,11 +56,9 @@ impl Nurbs {
         spans
             .map(|k| {
                 let control: Vec<[f64; 3]> = (0..=p).map(|j| self.blossom(k, j)).collect();
-                let point =
-                    |i: usize| Point::new(control[i][0] / control[i][2], control[i][1] / control[i][2]);
-                match (p, rational) {
-                    (1, _) => Piece::Line(point(0), point(1)),
-                    (3, false) => Piece::Cubic([point(0), point(1), point(2), point(3)]),
+                match (&control[..], rational) {
+                    ([a, b], _) => Piece::Line(point(a), point(b)),
+                    ([a, b, c, d], false) => Piece::Cubic([a, b, c, d].map(point)),
                     _ => Piece::Rational(control),
                 }
             })
@@ -85,10 +83,15 @@ impl Nurbs {
     }
 }
 
+/// The point of homogeneous coordinates.
+fn point(control: &[f64; 3]) -> Point {
+    Point::new(control[0] / control[2], control[1] / control[2])
+}
+
 /// The cubic spline with continuous curvature through points, its parameter the length of the chords, as CAD programs draw
 /// splines that have fit points alone. `ends` are tangents at first and last point (their length is not used); without one the
 /// curvature there is 0. A closed spline starts and ends at the first point.
-pub(crate) fn through(points: &[Point], ends: [Option<Vec2>; 2], closed: bool) -> Vec<Piece> {
+pub(crate) fn interpolated(points: &[Point], ends: [Option<Vec2>; 2], closed: bool) -> Vec<Piece> {
     let mut points: Vec<Point> = points.to_vec();
     if closed && points.first() != points.last() {
         points.extend(points.first().copied());
@@ -116,16 +119,20 @@ pub(crate) fn through(points: &[Point], ends: [Option<Vec2>; 2], closed: bool) -
 fn slopes(points: &[Point], ends: [Option<Vec2>; 2]) -> Vec<Vec2> {
     let n = points.len();
     let h: Vec<f64> = points.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
-    let rate = |i: usize| (points[i + 1] - points[i]) * (1.0 / h[i]);
+    let rates: Vec<Vec2> =
+        points.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) * (1.0 / h)).collect();
     // Rows: below, diagonal, above, right side.
     let row = |i: usize| match (i, ends) {
         (0, [Some(t), _]) => (0.0, 1.0, 0.0, t.normalized()),
-        (0, _) => (0.0, 2.0, 1.0, rate(0) * 3.0),
+        (0, _) => (0.0, 2.0, 1.0, rates[0] * 3.0),
         (i, [_, Some(t)]) if i == n - 1 => (0.0, 1.0, 0.0, t.normalized()),
-        (i, _) if i == n - 1 => (1.0, 2.0, 0.0, rate(n - 2) * 3.0),
-        _ => {
-            (h[i], 2.0 * (h[i - 1] + h[i]), h[i - 1], rate(i - 1) * (3.0 * h[i]) + rate(i) * (3.0 * h[i - 1]))
-        }
+        (i, _) if i == n - 1 => (1.0, 2.0, 0.0, rates[n - 2] * 3.0),
+        _ => (
+            h[i],
+            2.0 * (h[i - 1] + h[i]),
+            h[i - 1],
+            rates[i - 1] * (3.0 * h[i]) + rates[i] * (3.0 * h[i - 1]),
+        ),
     };
     let mut solved: Vec<(f64, Vec2)> = Vec::with_capacity(n);
     for i in 0..n {
@@ -151,7 +158,7 @@ mod tests {
     fn a_spline_through_points_of_a_circle_is_nearly_the_circle() {
         let points: Vec<Point> =
             (0..24).map(|i| Point::polar(10.0, f64::from(i).to_radians() * 15.0)).collect();
-        let pieces = through(&points, [None, None], true);
+        let pieces = interpolated(&points, [None, None], true);
         assert_eq!(pieces.len(), 24);
         for piece in pieces {
             let Piece::Cubic(c) = piece else { panic!("a cubic") };

@@ -9,7 +9,7 @@ use super::group::{Flaw, Record};
 use super::polyline;
 use crate::collector::Chain;
 use crate::piece::Piece;
-use crate::spline::{Nurbs, through};
+use crate::spline::{Nurbs, interpolated};
 
 /// Reads an entity; `parts` are the vertices that follow a POLYLINE.
 pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
@@ -58,7 +58,7 @@ fn place(record: &Record<'_, '_>, code: i32) -> Result<Point, Flaw> {
 fn line(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let (a, b) = (place(record, 10)?, place(record, 11)?);
     let heights = [record.number_or(30, 0.0)?, record.number_or(31, 0.0)?];
-    Ok(flat(Shape::Chain(Chain::of(Piece::Line(a, b), a)), &heights))
+    Ok(flat(Shape::Chain(Chain::single(Piece::Line(a, b), a)), &heights))
 }
 
 fn point(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
@@ -81,7 +81,7 @@ fn circle(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
         (0.0, TAU, true)
     };
     let piece = Piece::arc(center, radius, start, sweep);
-    let chain = Chain { closed, ..Chain::of(piece, center) };
+    let chain = Chain { closed, ..Chain::single(piece, center) };
     Ok(flat(Shape::Chain(chain), &record.numbers(30)?))
 }
 
@@ -104,7 +104,7 @@ fn ellipse(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let mut heights = record.numbers(30)?;
     let rise = record.number_or(31, 0.0)?;
     heights.extend(heights.first().copied().map(|z| z + rise));
-    Ok(flat(Shape::Chain(Chain { closed, ..Chain::of(piece, center) }), &heights))
+    Ok(flat(Shape::Chain(Chain { closed, ..Chain::single(piece, center) }), &heights))
 }
 
 fn spline(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
@@ -121,9 +121,9 @@ fn spline(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
         let text = format!("A spline with {} points has {} weights.", control.len(), weights.len());
         return Err(record.flaw(text));
     }
-    let weight = |i: usize| weights.get(i).copied().unwrap_or(1.0);
     let start = control[0];
-    let points = control.into_iter().enumerate().map(|(i, point)| (point, weight(i))).collect();
+    let weights = weights.into_iter().chain(std::iter::repeat(1.0));
+    let points = control.into_iter().zip(weights).collect();
     let nurbs = Nurbs { degree, knots: record.numbers(40)?, points };
     if let Some(text) = nurbs.finding() {
         return Err(record.flaw(text));
@@ -137,13 +137,15 @@ fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Geom
     if fit.len() < 2 {
         return Err(record.flaw("A SPLINE has neither control points nor two fit points.".into()));
     }
-    let tangent = |code: i32| -> Result<Option<Vec2>, Flaw> {
-        let coordinates = record.optional(code)?.zip(record.optional(code + 10)?);
-        Ok(coordinates.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
-    };
-    let pieces = through(&fit, [tangent(12)?, tangent(13)?], closed);
+    let pieces = interpolated(&fit, [tangent(record, 12)?, tangent(record, 13)?], closed);
     let remark = Some("It has fit points only; they are joined by a cubic spline, as CAD programs do.");
     Ok(Geometry { remark, ..flat(Shape::Chain(Chain { pieces, closed, start: fit[0] }), heights) })
+}
+
+/// The direction at an end of a spline, whose x has the code `code`; `None` if there is none.
+fn tangent(record: &Record<'_, '_>, code: i32) -> Result<Option<Vec2>, Flaw> {
+    let coordinates = record.optional(code)?.zip(record.optional(code + 10)?);
+    Ok(coordinates.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
 }
 
 /// The points of two codes.

@@ -18,7 +18,7 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {
         let line = 2 * groups.len() + 1;
-        let fault = |text: String, remedy: &str| Fault::only(Place::line(line), text, remedy);
+        let fault = |text: String, remedy: &str| Fault::single(Place::line(line), text, remedy);
         let Ok(code) = first.trim().parse::<i32>() else {
             if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
                 break;
@@ -44,7 +44,7 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
             return Ok(groups);
         }
     }
-    Err(Fault::only(
+    Err(Fault::single(
         Place::line(2 * groups.len()),
         "The file has no end mark (0, EOF); it may be cut off.",
         "Export it again, or add the lines 0 and EOF if it is complete.",

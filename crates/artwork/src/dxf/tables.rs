@@ -73,9 +73,10 @@ fn header<'a>(groups: &[Group<'a>], name: &str) -> Option<&'a str> {
 fn layers(records: &[Record<'_, '_>]) -> BTreeMap<String, Layer> {
     let layer = |record: &&Record<'_, '_>| record.kind == "LAYER";
     let read = |record: &Record<'_, '_>| {
-        let integer = |code| record.text(code).and_then(|value| value.parse::<i64>().ok()).unwrap_or(0);
+        let [colour, flags] =
+            [62, 70].map(|code| record.text(code).and_then(|value| value.parse::<i64>().ok()).unwrap_or(0));
         let name = record.text(2).unwrap_or_default().to_lowercase();
-        (name, Layer { off: integer(62) < 0, frozen: integer(70) & 1 != 0 })
+        (name, Layer { off: colour < 0, frozen: flags & 1 != 0 })
     };
     records.iter().filter(layer).map(read).collect()
 }

@@ -134,11 +134,11 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             "POLYLINE" => (vertices.first().unwrap_or(record), 0),
             _ => (record, 0),
         };
-        let number = |code| {
+        let [x, y] = [10, 20].map(|code| {
             let mut values = located.groups.iter().filter(|group| group.code == code);
             values.nth(nth)?.value.parse::<f64>().ok()
-        };
-        let point = number(10).zip(number(20)).map(|(x, y)| context.map.point(Point::new(x, y)));
+        });
+        let point = x.zip(y).map(|(x, y)| context.map.point(Point::new(x, y)));
         let point = point.filter(|point| point.x.is_finite() && point.y.is_finite());
         Ok(Place { element: Some(id), layers, own_names, line: Some(record.line), at: point })
     }
@@ -152,10 +152,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let layer = place.own_names.checked_sub(1).and_then(|last| place.layers.get(last));
         let name = layer.map_or("0", String::as_str);
         let layer = self.layer(name);
-        let flag = |code| record.flags(code).unwrap_or(0) == 1;
-        let reason = if flag(67) {
+        let [is_on_paper, is_invisible] = [67, 60].map(|code| record.flags(code).unwrap_or(0) == 1);
+        let reason = if is_on_paper {
             "It is on a paper layout, and is left out.".to_owned()
-        } else if flag(60) {
+        } else if is_invisible {
             "It is invisible, and is left out.".to_owned()
         } else if layer.frozen {
             format!("Its layer {name} is frozen; it is left out.")
@@ -183,7 +183,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             self.out.note(Weight::Information, place.clone(), remark);
         }
         let mirror = if geometry.mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
-        let map = context.map.after(&mirror);
+        let map = context.map.following(&mirror);
         let place = Place { at: None, ..place.clone() };
         match geometry.shape {
             Shape::Point(point) => self.out.point(place, &map, point),
@@ -236,7 +236,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
                 let index =
                     if counts == [1, 1] { String::new() } else { format!("[{},{}]", column + 1, row + 1) };
                 inner.path = format!("{id}{index} > ");
-                inner.map = context.map.after(&map(column, row));
+                inner.map = context.map.following(&map(column, row));
                 self.entities(&block.entities, &inner)?;
             }
         }
@@ -246,9 +246,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
 /// The name of the colour that an entity has of its own: "#rrggbb", or "color 1" by its number; `None` of one with its layer's colour.
 fn colour(record: &Record<'_, '_>) -> Option<String> {
-    let rgb = |code: i64| (0..=0xff_ff_ff).contains(&code).then(|| format!("#{code:06x}"));
     match record.flags(420) {
-        Ok(code) if record.text(420).is_some() => rgb(code),
+        Ok(code) if record.text(420).is_some() => {
+            (0..=0xff_ff_ff).contains(&code).then(|| format!("#{code:06x}"))
+        }
         _ => {
             let number = record.flags(62).ok().filter(|number| (1..=255).contains(number))?;
             Some(format!("color {number}"))
@@ -258,11 +259,13 @@ fn colour(record: &Record<'_, '_>) -> Option<String> {
 
 /// The columns and rows of an INSERT.
 fn counts(record: &Record<'_, '_>) -> Result<[u32; 2], Flaw> {
-    let count = |code| -> Result<u32, Flaw> {
-        let count = record.flags(code)?.max(1);
-        u32::try_from(count).map_err(|_| record.flaw(format!("Code {code} of INSERT is {count}.")))
-    };
-    Ok([count(70)?, count(71)?])
+    Ok([count(record, 70)?, count(record, 71)?])
+}
+
+/// A number of columns or rows, at least 1.
+fn count(record: &Record<'_, '_>, code: i32) -> Result<u32, Flaw> {
+    let count = record.flags(code)?.max(1);
+    u32::try_from(count).map_err(|_| record.flaw(format!("Code {code} of INSERT is {count}.")))
 }
 
 /// A map for each column and row, from 0.
@@ -280,7 +283,7 @@ fn copies(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<([u32; 2], C
     let steps = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
     let map = move |column: u32, row: u32| {
         let step = Affine::translate(f64::from(column) * steps[0], f64::from(row) * steps[1]);
-        mirror.after(&insertion).after(&turn).after(&step).after(&scale).after(&base)
+        mirror.following(&insertion).following(&turn).following(&step).following(&scale).following(&base)
     };
     Ok((rows_and_columns, Box::new(map)))
 }

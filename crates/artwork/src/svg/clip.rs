@@ -15,15 +15,16 @@ const OVER: f64 = 0.01;
 
 /// The region of `value`, the property `clip-path` of `node`; `None` if it is not a simple one. `map` leads from the user units of
 /// `node` to mm, `find` to the element of an id.
-pub(super) fn of<'a, 'd: 'a>(
+pub(super) fn declared<'a, 'd: 'a>(
     node: Node<'a, 'd>,
     value: &str,
-    (map, viewport): (&Affine, Viewport),
+    map: &Affine,
+    viewport: Viewport,
     find: impl Fn(&str) -> Option<Node<'a, 'd>>,
 ) -> Option<ConvexClip> {
     let target = find(value.strip_prefix("url(#")?.strip_suffix(')')?)?;
     // A nested frame has its own view box inside its clip.
-    (node.tag_name().name() != "svg").then(|| ConvexClip::new(target, (map, viewport), find)).flatten()
+    (node.tag_name().name() != "svg").then(|| ConvexClip::new(target, map, viewport, find)).flatten()
 }
 
 /// A convex polygon, mm.
@@ -35,7 +36,8 @@ impl ConvexClip {
     /// clipped element to mm, `find` to the target of a `<use>`.
     fn new<'a, 'd: 'a>(
         clip: Node<'a, 'd>,
-        (map, viewport): (&Affine, Viewport),
+        map: &Affine,
+        viewport: Viewport,
         find: impl Fn(&str) -> Option<Node<'a, 'd>>,
     ) -> Option<Self> {
         let is_clip = clip.tag_name().name() == "clipPath" && clip.attribute("clip-path").is_none();
@@ -45,7 +47,7 @@ impl ConvexClip {
         if units.is_some_and(|units| units != "userSpaceOnUse") {
             return None;
         }
-        let mut map = map.after(&transform::plain(clip)?).after(&transform::plain(figure)?);
+        let mut map = map.following(&transform::plain(clip)?).following(&transform::plain(figure)?);
         let mut figure = figure;
         if figure.tag_name().name() == "use" {
             if figure.attribute("x").or(figure.attribute("y")).is_some() {
@@ -53,7 +55,7 @@ impl ConvexClip {
             }
             let href = figure.attributes().find(|attribute| attribute.name() == "href")?.value();
             figure = find(href.trim().strip_prefix('#')?)?;
-            map = map.after(&transform::plain(figure)?);
+            map = map.following(&transform::plain(figure)?);
         }
         let tag = figure.tag_name().name();
         let [chain] =
@@ -73,9 +75,9 @@ impl ConvexClip {
         }
         corners.dedup_by(|a, b| a.distance(*b) <= OVER);
         let clip = Self(corners);
-        let turns =
-            || clip.sides().zip(clip.sides().cycle().skip(1)).map(|([a, b], [_, c])| (b - a).cross(c - b));
-        let is_convex = turns().all(|turn| turn >= 0.0) || turns().all(|turn| turn <= 0.0);
+        let corners = clip.sides().zip(clip.sides().cycle().skip(1));
+        let turns: Vec<f64> = corners.map(|([a, b], [_, c])| (b - a).cross(c - b)).collect();
+        let is_convex = turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0);
         (is_convex && clip.0.len() >= 3).then_some(clip)
     }
 
@@ -84,18 +86,23 @@ impl ConvexClip {
     }
 
     /// Whether the boxes of all elements lie in it.
-    pub(super) fn holds<'e>(&self, mut elements: impl Iterator<Item = &'e Element>) -> bool {
+    pub(super) fn covers<'e>(&self, mut elements: impl Iterator<Item = &'e Element>) -> bool {
         let turn = Path::closed(self.sides().map(|[a, b]| geom::Line::new(a, b).into()).collect()).area();
-        let is_in =
-            |p: Point| self.sides().all(|[a, b]| (b - a).normalized().cross(p - a) * turn.signum() >= -OVER);
         elements.all(|element| match &element.figure {
-            Figure::Point(at) => is_in(*at),
+            Figure::Point(p) => self.contains(*p, turn),
             Figure::Path(path) => {
                 let bounds = path.bounds();
                 let (min, max) = (bounds.min, bounds.max);
-                [min, max, Point::new(min.x, max.y), Point::new(max.x, min.y)].into_iter().all(is_in)
+                [min, max, Point::new(min.x, max.y), Point::new(max.x, min.y)]
+                    .into_iter()
+                    .all(|p| self.contains(p, turn))
             }
         })
+    }
+
+    /// Whether `p` lies in the polygon, which is clockwise where `turn` is negative.
+    fn contains(&self, p: Point, turn: f64) -> bool {
+        self.sides().all(|[a, b]| (b - a).normalized().cross(p - a) * turn.signum() >= -OVER)
     }
 }
 

@@ -50,17 +50,20 @@ pub(super) fn is_unseen(tag: &str) -> bool {
 /// The first conditional attribute of an element that does not hold, with its value. Languages are compared with English, whatever the
 /// reader's is, so that a file gives the same drawing everywhere.
 pub(super) fn unmet<'a>(node: Node<'a, '_>) -> Option<(&'static str, &'a str)> {
-    let feature = |name: &str| {
-        name.strip_prefix("http://www.w3.org/TR/SVG11/feature#").is_some_and(|name| FEATURES.contains(&name))
-    };
-    let english = |tag: &str| tag.split('-').next().is_some_and(|tag| tag.trim().eq_ignore_ascii_case("en"));
-    let is_met = |name: &str, value: &str| match name {
-        "requiredFeatures" => !value.trim().is_empty() && value.split_ascii_whitespace().all(feature),
-        LANGUAGE => value.split(',').any(english),
-        _ => false,
-    };
     let condition = |name| Some((name, node.attribute(name)?));
     let mut conditions =
         ["requiredExtensions", "requiredFeatures", LANGUAGE].into_iter().filter_map(condition);
     conditions.find(|(name, value)| !is_met(name, value))
+}
+
+fn is_met(condition: &str, value: &str) -> bool {
+    let feature = |name: &str| {
+        name.strip_prefix("http://www.w3.org/TR/SVG11/feature#").is_some_and(|name| FEATURES.contains(&name))
+    };
+    let english = |tag: &str| tag.split('-').next().is_some_and(|tag| tag.trim().eq_ignore_ascii_case("en"));
+    match condition {
+        "requiredFeatures" => !value.trim().is_empty() && value.split_ascii_whitespace().all(feature),
+        LANGUAGE => value.split(',').any(english),
+        _ => false,
+    }
 }

@@ -38,10 +38,11 @@ impl Source {
 
 fn line_starts(text: &str) -> Vec<(usize, usize)> {
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let blanks = |start: usize| {
-        text.as_bytes()[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'\r')).count()
+    let with_indent = |start: usize| {
+        let blanks = text.as_bytes()[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'\r'));
+        (start, start + blanks.count())
     };
-    starts.map(|start| (start, start + blanks(start))).collect()
+    starts.map(with_indent).collect()
 }
 
 /// Whether an element is of SVG; files without a namespace are taken as such.
@@ -52,15 +53,14 @@ pub(super) fn is_svg(node: Node<'_, '_>) -> bool {
 /// The user's names for an element, the label of its program before the id.
 pub(super) fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
-    let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
+    let mut attributes = node.attributes();
+    let label = attributes.find(|attribute| match (attribute.name(), attribute.namespace()) {
         ("label", Some(namespace)) => namespace.contains("inkscape"),
         ("data-name", None) => true,
         ("id", Some(namespace)) => namespace.contains("serif"),
         _ => false,
-    };
-    let label =
-        node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
-    label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
+    });
+    label.map(|label| label.value()).into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
 }
 
 /// The beginning of a text of the drawing, as messages show it.

@@ -14,27 +14,29 @@ const EXPANDED: usize = 4 << 20;
 
 /// Refuses text that would cost the parser more than linear time or memory.
 pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
-    let fault = |at: usize, found: String| {
-        let line = text[..at].matches('\n').count() + 1;
-        Fault::only(Place::line(line), found, "Save the drawing as plain SVG.")
-    };
     if let Some(offset) = crowded(text.as_bytes()) {
         let problem = format!("An element has more than {ATTRIBUTES} attributes.");
-        return Err(fault(offset, problem));
+        return Err(fault(text, offset, problem));
     }
     if text.matches("xmlns").count() > NAMESPACES {
         let problem = format!("The file declares more than {NAMESPACES} namespaces.");
-        return Err(fault(0, problem));
+        return Err(fault(text, 0, problem));
     }
     if let Some(offset) = text.find("<!ENTITY") {
         let subset = &text[offset..text[offset..].find("]>").map_or(text.len(), |end| offset + end)];
         let references = text.bytes().filter(|&byte| byte == b'&').count();
         if subset.contains('&') || subset.len().saturating_mul(references) > EXPANDED {
             let problem = "Its entities are nested, or expand to too much text.".to_owned();
-            return Err(fault(offset, problem));
+            return Err(fault(text, offset, problem));
         }
     }
     Ok(())
+}
+
+/// The fault `problem` at the byte `offset` of `text`.
+fn fault(text: &str, offset: usize, problem: String) -> Vec<Fault> {
+    let line = text[..offset].matches('\n').count() + 1;
+    Fault::single(Place::line(line), problem, "Save the drawing as plain SVG.")
 }
 
 /// The place of a tag with too many attributes.

@@ -68,7 +68,7 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Faul
             roxmltree::Error::NodesLimitReached => format!("The file has more than {nodes_limit} nodes."),
             error => format!("The file is not well-formed XML: {error}."),
         };
-        Fault::only(Place::line(line), text, "Save the drawing as plain SVG again.")
+        Fault::single(Place::line(line), text, "Save the drawing as plain SVG again.")
     })
 }
 

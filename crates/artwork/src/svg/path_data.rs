@@ -133,7 +133,7 @@ fn elliptical(
     };
     let (u, v) = (Vec2::new(cos, sin) * (rx * grow), Vec2::new(-sin, cos) * (ry * grow));
     let center = from.midpoint(to) + u * (q.x / grow) + v * (q.y / grow);
-    Piece::ellipse(center, [u, v], start, sweep).between([from, to])
+    Piece::ellipse(center, [u, v], start, sweep).with_ends([from, to])
 }
 
 /// Excess of a radius over half the chord, relative, that the rounding of a file explains.
@@ -150,15 +150,14 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     else {
         return None;
     };
-    let point_at = |center: Point, angle: f64| {
-        let (sin, cos) = libm::sincos(angle);
-        center + *u * cos + *v * sin
-    };
     let tolerance = ROUNDED * u.length().min(v.length());
     let alike =
         (*u - *u2).length().max((*v - *v2).length()) <= 1e-9 * tolerance && sweep.signum() == turn.signum();
-    let [start_point, middle_point, back] =
-        [point_at(*center, *start), point_at(*center, start + sweep), point_at(*second, begin + turn)];
+    let ends = [(*center, *start), (*center, start + sweep), (*second, begin + turn)];
+    let [start_point, middle_point, back] = ends.map(|(center, angle)| {
+        let (sin, cos) = libm::sincos(angle);
+        center + *u * cos + *v * sin
+    });
     let half = (start_point - middle_point) * 0.5;
     let (along, across) = (half.dot(*u) / u.dot(*u), half.dot(*v) / v.dot(*v));
     let factor = libm::hypot(along, across);
@@ -181,7 +180,7 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
 mod tests {
     use super::*;
 
-    fn only(data: &str) -> Vec<Piece> {
+    fn single_path(data: &str) -> Vec<Piece> {
         let mut subpaths = chains(data).expect("path data");
         assert_eq!(subpaths.len(), 1, "{data}");
         subpaths.remove(0).pieces
@@ -193,7 +192,7 @@ mod tests {
         for (flags, center, sweep) in
             [("0 1", 0.0, 90.0), ("1 0", 0.0, -270.0), ("0 0", 10.0, -90.0), ("1 1", 10.0, 270.0)]
         {
-            let pieces = only(&format!("M10 0A10 10 0 {flags} 0 10"));
+            let pieces = single_path(&format!("M10 0A10 10 0 {flags} 0 10"));
             let [Piece::Ellipse { center: c, sweep: s, .. }] = pieces[..] else { panic!("{pieces:?}") };
             assert!(c.distance(Point::new(center, center)) < 1e-12, "{flags}: {c:?}");
             assert!((s.to_degrees() - sweep).abs() < 1e-12, "{flags}: {s}");
@@ -202,7 +201,7 @@ mod tests {
 
     #[test]
     fn radii_that_are_too_small_grow() {
-        let pieces = only("M-10 0a1 1 0 0 1 20 0");
+        let pieces = single_path("M-10 0a1 1 0 0 1 20 0");
         let [Piece::Ellipse { center, u, sweep, .. }] = pieces[..] else { panic!("{pieces:?}") };
         assert!((u.length() - 10.0).abs() < 1e-12 && center.distance(Point::ORIGIN) < 1e-12);
         assert!((sweep - std::f64::consts::PI).abs() < 1e-12);
@@ -231,7 +230,7 @@ mod tests {
 
     #[test]
     fn relative_smooth_and_short_commands_continue_the_path() {
-        let pieces = only("m1,1 2 0h-1v3c0 1 1 2 2 2s2-1 2-2q0-1 1-1t1-1");
+        let pieces = single_path("m1,1 2 0h-1v3c0 1 1 2 2 2s2-1 2-2q0-1 1-1t1-1");
         assert_eq!(pieces.len(), 7);
         let Piece::Cubic(smooth) = pieces[4] else { panic!("{:?}", pieces[4]) };
         assert_eq!(smooth.map(|p| (p.x, p.y)), [(4.0, 6.0), (5.0, 6.0), (6.0, 5.0), (6.0, 4.0)]);

@@ -193,12 +193,12 @@ impl Compound {
 
     fn matches(&self, node: Node<'_, '_>, work: &Work) -> bool {
         self.tag.as_ref().is_none_or(|tag| tag == node.tag_name().name())
-            && self.conditions.iter().all(|condition| condition.holds(node, work))
+            && self.conditions.iter().all(|condition| condition.is_met(node, work))
     }
 }
 
 impl Condition {
-    fn holds(&self, node: Node<'_, '_>, work: &Work) -> bool {
+    fn is_met(&self, node: Node<'_, '_>, work: &Work) -> bool {
         match self {
             Self::Class(class) => node
                 .attribute("class")
@@ -206,14 +206,14 @@ impl Condition {
             Self::Id(id) => node.attribute("id") == Some(id),
             Self::Attribute(name, test) => node
                 .attribute(name.as_str())
-                .is_some_and(|value| test.as_ref().is_none_or(|(test, wanted)| test.holds(value, wanted))),
+                .is_some_and(|value| test.as_ref().is_none_or(|(test, wanted)| test.is_met(value, wanted))),
             Self::Root => node.parent().is_none_or(|parent| !parent.is_element()),
             Self::Nth { step, offset, from_end } => {
-                let siblings = |n: Node<'_, '_>| n.is_element() && work.take(1);
+                let is_sibling = |n: &Node<'_, '_>| n.is_element() && work.take(1);
                 let count = if *from_end {
-                    node.next_siblings().filter(|n| siblings(*n)).count()
+                    node.next_siblings().filter(is_sibling).count()
                 } else {
-                    node.prev_siblings().filter(|n| siblings(*n)).count()
+                    node.prev_siblings().filter(is_sibling).count()
                 };
                 let past = i64::try_from(count).unwrap_or(i64::MAX).saturating_sub(*offset);
                 if *step == 0 { past == 0 } else { past % step == 0 && past / step >= 0 }
@@ -225,7 +225,7 @@ impl Condition {
 }
 
 impl AttributeTest {
-    fn holds(self, value: &str, operand: &str) -> bool {
+    fn is_met(self, value: &str, operand: &str) -> bool {
         let is_given = !operand.is_empty();
         match self {
             Self::Equal => value == operand,
@@ -242,8 +242,8 @@ impl AttributeTest {
 
 /// Length of the name at the start of `text`; 0 if there is none.
 fn name_length(text: &str) -> usize {
-    let is_name = |c: char| c.is_alphanumeric() || c == '-' || c == '_' || !c.is_ascii();
-    text.find(|c| !is_name(c)).unwrap_or(text.len())
+    let is_end = |c: char| !(c.is_alphanumeric() || c == '-' || c == '_' || !c.is_ascii());
+    text.find(is_end).unwrap_or(text.len())
 }
 
 /// The condition on an attribute in `text`, which starts behind the opening bracket, and the rest behind the closing one.
@@ -282,14 +282,13 @@ fn pseudo(text: &str) -> Option<(Condition, &str)> {
         let end = inner.find(')')?;
         (argument, rest) = (inner[..end].trim(), &inner[end + 1..]);
     }
-    let nth = |step, offset, from_end| Condition::Nth { step, offset, from_end };
     let condition = match name.to_ascii_lowercase().as_str() {
         "root" => Condition::Root,
-        "first-child" => nth(0, 1, false),
-        "last-child" => nth(0, 1, true),
+        "first-child" => Condition::Nth { step: 0, offset: 1, from_end: false },
+        "last-child" => Condition::Nth { step: 0, offset: 1, from_end: true },
         "nth-child" | "nth-last-child" => {
             let (step, offset) = steps(argument)?;
-            nth(step, offset, name.to_ascii_lowercase().contains("last"))
+            Condition::Nth { step, offset, from_end: name.to_ascii_lowercase().contains("last") }
         }
         "not" => {
             let (compound, tail) = Compound::parsed(argument)?;
@@ -311,16 +310,20 @@ fn steps(text: &str) -> Option<(i64, i64)> {
         "even" => return Some((2, 0)),
         _ => {}
     }
-    let number = |text: &str| text.parse::<i32>().ok().map(i64::from);
     match text.split_once('n') {
-        None => Some((0, number(&text)?)),
+        None => Some((0, integer(&text)?)),
         Some((step, offset)) => {
             let step = match step {
                 "" | "+" => 1,
                 "-" => -1,
-                step => number(step)?,
+                step => integer(step)?,
             };
-            Some((step, if offset.is_empty() { 0 } else { number(offset)? }))
+            Some((step, if offset.is_empty() { 0 } else { integer(offset)? }))
         }
     }
+}
+
+/// An integer of 32 bits.
+fn integer(text: &str) -> Option<i64> {
+    text.parse::<i32>().ok().map(i64::from)
 }

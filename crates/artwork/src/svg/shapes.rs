@@ -58,7 +58,7 @@ impl Shape<'_, '_> {
 
     fn line(&self) -> Result<Vec<Chain>, String> {
         let (a, b) = (self.point("x1", "y1")?, self.point("x2", "y2")?);
-        Ok(vec![Chain::of(Piece::Line(a, b), a)])
+        Ok(vec![Chain::single(Piece::Line(a, b), a)])
     }
 
     fn points(&self, closed: bool) -> Result<Vec<Chain>, String> {
@@ -98,22 +98,22 @@ impl Shape<'_, '_> {
         let [rx, ry] = self.radii()?;
         let (rx, ry) = (rx.unwrap_or(0.0).min(w / 2.0), ry.unwrap_or(0.0).min(h / 2.0));
         let (rx, ry) = if rx == 0.0 || ry == 0.0 { (0.0, 0.0) } else { (rx, ry) };
-        let corner = |(x, y): (f64, f64)| origin + Vec2::new(x, y);
         let (u, v) = (Vec2::new(rx, 0.0), Vec2::new(0.0, ry));
         let mut pieces = Vec::with_capacity(8);
         // Each side, then the corner behind it: its centre and its first angle.
         let sides = [
-            ([(rx, 0.0), (w - rx, 0.0)], (w - rx, ry), -FRAC_PI_2),
-            ([(w, ry), (w, h - ry)], (w - rx, h - ry), 0.0),
-            ([(w - rx, h), (rx, h)], (rx, h - ry), FRAC_PI_2),
-            ([(0.0, h - ry), (0.0, ry)], (rx, ry), PI),
+            ([[rx, 0.0], [w - rx, 0.0], [w - rx, ry]], -FRAC_PI_2),
+            ([[w, ry], [w, h - ry], [w - rx, h - ry]], 0.0),
+            ([[w - rx, h], [rx, h], [rx, h - ry]], FRAC_PI_2),
+            ([[0.0, h - ry], [0.0, ry], [rx, ry]], PI),
         ];
-        for ([a, b], center, start) in sides {
-            pieces.push(Piece::Line(corner(a), corner(b)));
+        for (places, first_angle) in sides {
+            let [start, end, center] = places.map(|[x, y]| origin + Vec2::new(x, y));
+            pieces.push(Piece::Line(start, end));
             if rx > 0.0 {
-                pieces.push(Piece::ellipse(corner(center), [u, v], start, FRAC_PI_2));
+                pieces.push(Piece::ellipse(center, [u, v], first_angle, FRAC_PI_2));
             }
         }
-        Ok(vec![Chain { pieces, closed: true, start: corner((rx, 0.0)) }])
+        Ok(vec![Chain { pieces, closed: true, start: origin + Vec2::new(rx, 0.0) }])
     }
 }

@@ -10,17 +10,16 @@ use super::sheet::{Declaration, Sheet, declared};
 fn is_understood(name: &str, value: &str) -> bool {
     let is_global =
         ["inherit", "initial", "unset", "revert"].iter().any(|word| value.eq_ignore_ascii_case(word));
-    let is_number = || {
-        let number = value.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic()).trim_end();
-        number.parse::<f64>().is_ok()
-    };
     is_global
         || match name {
             "stroke" | "fill" | "color" => Paint::declared(name, value, [0; 3]).is_some(),
             "visibility" => {
                 ["visible", "hidden", "collapse"].iter().any(|word| value.eq_ignore_ascii_case(word))
             }
-            "opacity" | "stroke-opacity" | "fill-opacity" | "stroke-width" => is_number(),
+            "opacity" | "stroke-opacity" | "fill-opacity" | "stroke-width" => {
+                let number = value.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic());
+                number.trim_end().parse::<f64>().is_ok()
+            }
             _ => !value.contains("var("),
         }
 }
@@ -58,10 +57,19 @@ impl<'a, 'd> Cascade<'a, 'd> {
         self.value(name).is_some_and(|value| value.eq_ignore_ascii_case(word))
     }
 
+    /// Whether a number is not 0, of an element whose parent's is not where `parent` says so.
+    fn is_nonzero(&self, name: &str, parent: bool) -> bool {
+        match self.value(name) {
+            None | Some("inherit" | "unset") => parent,
+            Some(value) => !is_zero(value),
+        }
+    }
+
     /// Whether a property has values, none of which is understood.
     fn is_unclear(&self, name: &str) -> bool {
-        let is_declared = || self.declarations.iter().any(|declaration| declaration.name == name);
-        self.value(name).is_none() && (self.node.attribute(name).is_some() || is_declared())
+        self.value(name).is_none()
+            && (self.node.attribute(name).is_some()
+                || self.declarations.iter().any(|declaration| declaration.name == name))
     }
 
     /// A property that refers to another element; `None` if it refers to none.
@@ -128,38 +136,36 @@ impl Style {
                 number.parse::<f64>().is_ok_and(|length| length > 0.0)
             }),
         };
-        let shows = |name: &str, parent: bool| match cascade.value(name) {
-            None | Some("inherit" | "unset") => parent,
-            Some(value) => !is_zero(value),
-        };
         Self {
             stroke: cascade.paint("stroke", self.stroke, colour),
             fill: cascade.paint("fill", self.fill, colour),
             colour,
-            opaque: [shows("stroke-opacity", self.opaque[0]), shows("fill-opacity", self.opaque[1])],
-            wide: shows("stroke-width", self.wide),
+            opaque: [
+                cascade.is_nonzero("stroke-opacity", self.opaque[0]),
+                cascade.is_nonzero("fill-opacity", self.opaque[1]),
+            ],
+            wide: cascade.is_nonzero("stroke-width", self.wide),
             visible,
             dashed,
         }
     }
 
     /// Stroke and fill as far as they can be seen.
-    pub(super) fn seen(&self) -> [Paint; 2] {
-        let visible = |paint, opaque| if opaque { paint } else { Paint::None };
-        [visible(self.stroke, self.opaque[0] && self.wide), visible(self.fill, self.opaque[1])]
+    pub(super) fn visible_paints(&self) -> [Paint; 2] {
+        let paints = [(self.stroke, self.opaque[0] && self.wide), (self.fill, self.opaque[1])];
+        paints.map(|(paint, is_visible)| if is_visible { paint } else { Paint::None })
     }
 
     /// Whether neither stroke nor fill can be seen.
     pub(super) fn is_unseen(&self) -> bool {
-        self.seen() == [Paint::None; 2]
+        self.visible_paints() == [Paint::None; 2]
     }
 
     /// The name of a layer by colour: "#rrggbb" of the stroke, else "fill #rrggbb". Paints that cannot be seen count where all cannot.
     pub(super) fn layer(&self) -> Option<String> {
-        let hex = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
-        match if self.is_unseen() { [self.stroke, self.fill] } else { self.seen() } {
-            [Paint::Colour(stroke), _] => Some(hex(stroke)),
-            [Paint::None, Paint::Colour(fill)] => Some(format!("fill {}", hex(fill))),
+        match if self.is_unseen() { [self.stroke, self.fill] } else { self.visible_paints() } {
+            [Paint::Colour([r, g, b]), _] => Some(format!("#{r:02x}{g:02x}{b:02x}")),
+            [Paint::None, Paint::Colour([r, g, b])] => Some(format!("fill #{r:02x}{g:02x}{b:02x}")),
             _ => None,
         }
     }

@@ -8,7 +8,7 @@ use super::viewport::Viewport;
 use crate::affine::Affine;
 
 /// The transform of an element in a viewport, about its `transform-origin`; the reason if one of the two is not read.
-pub(super) fn of(
+pub(super) fn declared(
     node: Node<'_, '_>,
     cascade: &Cascade<'_, '_>,
     viewport: Viewport,
@@ -23,7 +23,7 @@ pub(super) fn of(
         );
     }
     let [x, y] = origin_of(origin, viewport)?;
-    Ok(Affine::translate(x, y).after(&map).after(&Affine::translate(-x, -y)))
+    Ok(Affine::translate(x, y).following(&map).following(&Affine::translate(-x, -y)))
 }
 
 /// The transform of a part of a clip; `None` if it is malformed or has an origin.
@@ -35,7 +35,7 @@ pub(super) fn plain(node: Node<'_, '_>) -> Option<Affine> {
 fn listed(node: Node<'_, '_>) -> Option<Affine> {
     let mut map = Affine::IDENTITY;
     for token in TransformListParser::from(node.attribute("transform").unwrap_or_default()) {
-        map = map.after(&match token.ok()? {
+        map = map.following(&match token.ok()? {
             Token::Matrix { a, b, c, d, e, f } => Affine::new([a, b, c, d, e, f]),
             Token::Translate { tx, ty } => Affine::translate(tx, ty),
             Token::Scale { sx, sy } => Affine::scale(sx, sy),

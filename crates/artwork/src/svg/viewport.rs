@@ -24,28 +24,26 @@ pub(super) struct Viewport(pub(super) [f64; 2]);
 impl Viewport {
     /// A length in user units along X (0), along Y (1) or of a radius (2).
     pub(super) fn length(self, name: &str, value: &str, axis: usize) -> Result<f64, String> {
-        let fault = || {
+        let [w, h] = self.0;
+        let reference = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
+        let units = parsed(value).and_then(|length| match (length.unit, millimetres(length)) {
+            (LengthUnit::None, _) => Some(length.number),
+            (LengthUnit::Percent, _) => Some(length.number / 100.0 * reference),
+            (_, mm) => Some(mm? / PIXEL),
+        });
+        units.ok_or_else(|| {
             let beginning: String = value.chars().take(20).collect();
             format!(
                 "Its {name} is \"{beginning}\"; a number, or one with mm, cm, Q, in, pt, pc, px or % is allowed."
             )
-        };
-        let length = parsed(value).ok_or_else(fault)?;
-        let [w, h] = self.0;
-        let reference = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
-        match (length.unit, millimetres(length)) {
-            (LengthUnit::None, _) => Ok(length.number),
-            (LengthUnit::Percent, _) => Ok(length.number / 100.0 * reference),
-            (_, Some(mm)) => Ok(mm / PIXEL),
-            _ => Err(fault()),
-        }
+        })
     }
 
     /// The translation by the attributes `x` and `y` of an element.
     pub(super) fn shift(self, node: Node<'_, '_>) -> Result<Affine, String> {
-        let length =
-            |name, axis| node.attribute(name).map_or(Ok(0.0), |value| self.length(name, value, axis));
-        Ok(Affine::translate(length("x", 0)?, length("y", 1)?))
+        let [x, y] = [("x", 0), ("y", 1)]
+            .map(|(name, axis)| node.attribute(name).map_or(Ok(0.0), |value| self.length(name, value, axis)));
+        Ok(Affine::translate(x?, y?))
     }
 }
 
@@ -77,7 +75,7 @@ fn millimetres(length: Length) -> Option<f64> {
 }
 
 /// The view box of an element; `Err` if it is malformed or its size is not above 0.
-pub(super) fn view_box(node: Node<'_, '_>) -> Result<Option<ViewBox>, String> {
+fn view_box(node: Node<'_, '_>) -> Result<Option<ViewBox>, String> {
     let read = |value: &str| {
         let view_box = ViewBox::from_str(value).ok().filter(|found| found.w > 0.0 && found.h > 0.0);
         view_box
@@ -87,7 +85,7 @@ pub(super) fn view_box(node: Node<'_, '_>) -> Result<Option<ViewBox>, String> {
 }
 
 /// The map of a view box into a viewport of the given size, by `preserveAspectRatio`.
-pub(super) fn fitted(node: Node<'_, '_>, view_box: ViewBox, [w, h]: [f64; 2]) -> Result<Affine, String> {
+fn fitted(node: Node<'_, '_>, view_box: ViewBox, [w, h]: [f64; 2]) -> Result<Affine, String> {
     let ratio = match node.attribute("preserveAspectRatio") {
         Some(text) => {
             AspectRatio::from_str(text).map_err(|_| "Its preserveAspectRatio is faulty.".to_owned())?
@@ -96,7 +94,9 @@ pub(super) fn fitted(node: Node<'_, '_>, view_box: ViewBox, [w, h]: [f64; 2]) ->
     };
     let [sx, sy] = [w / view_box.w, h / view_box.h];
     let [x, y] = match ratio.align {
-        Align::None => return Ok(Affine::scale(sx, sy).after(&Affine::translate(-view_box.x, -view_box.y))),
+        Align::None => {
+            return Ok(Affine::scale(sx, sy).following(&Affine::translate(-view_box.x, -view_box.y)));
+        }
         Align::XMinYMin => [0.0, 0.0],
         Align::XMidYMin => [0.5, 0.0],
         Align::XMaxYMin => [1.0, 0.0],
@@ -109,7 +109,7 @@ pub(super) fn fitted(node: Node<'_, '_>, view_box: ViewBox, [w, h]: [f64; 2]) ->
     };
     let s = if ratio.slice { sx.max(sy) } else { sx.min(sy) };
     let shift = Affine::translate(x * (w - s * view_box.w), y * (h - s * view_box.h));
-    Ok(shift.after(&Affine::scale(s, s)).after(&Affine::translate(-view_box.x, -view_box.y)))
+    Ok(shift.following(&Affine::scale(s, s)).following(&Affine::translate(-view_box.x, -view_box.y)))
 }
 
 /// The map of the root's user units to mm with y up, and the viewport of its children; `None` with a fault recorded.
@@ -133,8 +133,7 @@ fn measured(
     collector: &mut Collector<'_>,
 ) -> Result<(Affine, Viewport), Finding> {
     let page_box = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
-    let length = |name| root.attribute(name).and_then(parsed);
-    let lengths = [length("width"), length("height")];
+    let lengths = ["width", "height"].map(|name| root.attribute(name).and_then(parsed));
     for (name, length) in ["width", "height"].into_iter().zip(lengths) {
         if length.is_some_and(|length| length.number < 0.0) {
             let text = format!("The {name} of the page is negative.");
@@ -144,7 +143,7 @@ fn measured(
     let stated = sizes(lengths, page_box, &millimetres);
     let unit = match collector.options.unit {
         Some(unit) => Some(unit),
-        None => unstated(Writer::of(root, head), lengths, page_box, stated.is_some(), collector)?,
+        None => unstated(Writer::read(root, head), lengths, page_box, stated.is_some(), collector)?,
     };
     let size = match unit {
         Some(unit) => sizes(lengths, page_box, &|length| by_unit(length, unit, page_box.is_some())),
@@ -155,7 +154,7 @@ fn measured(
         (Some(page_box), size) => {
             let size = size.unwrap_or([page_box.w * scale, page_box.h * scale]);
             let fit = fitted(root, page_box, size).map_err(|text| (text, "Remove the attribute.".into()))?;
-            (flipped(size[1]).after(&fit), [page_box.w, page_box.h])
+            (flipped(size[1]).following(&fit), [page_box.w, page_box.h])
         }
         (None, size) => {
             if unit.is_none() {
@@ -163,7 +162,7 @@ fn measured(
                 collector.note(Weight::Information, Place::default(), text);
             }
             let size = size.unwrap_or_default();
-            (flipped(size[1]).after(&Affine::scale(scale, scale)), size.map(|mm| mm / scale))
+            (flipped(size[1]).following(&Affine::scale(scale, scale)), size.map(|mm| mm / scale))
         }
     };
     let unit_mm = map.x.length();
@@ -175,7 +174,11 @@ fn measured(
         return Err((text, "Correct width, height and viewBox.".into()));
     }
     if let (Some(unit), Some(stated)) = (collector.options.unit, stated) {
-        note_replaced(unit, stated, (page_box, unit_mm, root), collector);
+        let stated_mm = match page_box {
+            Some(view_box) => fitted(root, view_box, stated).map_or(unit_mm, |map| map.x.length()),
+            None => PIXEL,
+        };
+        note_replaced(unit, stated_mm, unit_mm, collector);
     }
     collector.drawing.unit_mm = unit_mm;
     Ok((map, Viewport(view)))
@@ -191,17 +194,8 @@ fn by_unit(length: Length, unit: Unit, has_view_box: bool) -> Option<f64> {
     }
 }
 
-/// Notes that a given unit replaces the size that the file states, where the two differ.
-fn note_replaced(
-    unit: Unit,
-    stated: [f64; 2],
-    (page_box, unit_mm, root): (Option<ViewBox>, f64, Node<'_, '_>),
-    collector: &mut Collector<'_>,
-) {
-    let stated_mm = match page_box {
-        Some(view_box) => fitted(root, view_box, stated).map_or(unit_mm, |map| map.x.length()),
-        None => PIXEL,
-    };
+/// Notes that a given unit, of which a coordinate is `unit_mm` mm, replaces that of the file, `stated_mm` mm, where the two differ.
+fn note_replaced(unit: Unit, stated_mm: f64, unit_mm: f64, collector: &mut Collector<'_>) {
     if (stated_mm / unit_mm - 1.0).abs() > 1e-6 {
         let text = format!(
             "The unit \"{}\" replaces that of the file: a unit of its coordinates is {unit_mm:.6} mm in place of {stated_mm:.6} mm.",
@@ -223,15 +217,17 @@ enum Writer {
     Unknown,
 }
 
+/// Beginnings of the versions of Inkscape before 0.92.
+const OLD_INKSCAPE: [&str; 3] = ["0.3", "0.4", "0.91"];
+
 impl Writer {
     /// Inkscape keeps the comment of Illustrator, and Illustrator no attribute of Inkscape: so the attribute counts.
-    fn of(root: Node<'_, '_>, head: &str) -> Self {
+    fn read(root: Node<'_, '_>, head: &str) -> Self {
         let version = root.attributes().find(|attribute| {
             attribute.name() == "version" && attribute.namespace().is_some_and(|n| n.contains("inkscape"))
         });
-        let is_old = |version: &str| ["0.3", "0.4", "0.91"].iter().any(|old| version.starts_with(old));
         match version.map(|attribute| attribute.value().trim()) {
-            Some(version) if is_old(version) => Self::OldInkscape,
+            Some(version) if OLD_INKSCAPE.iter().any(|old| version.starts_with(old)) => Self::OldInkscape,
             Some(_) => Self::Inkscape,
             None if head.contains("Adobe Illustrator") => Self::Illustrator,
             None => Self::Unknown,
@@ -318,4 +314,28 @@ fn sizes(
 /// From y down to y up, with the origin at the lower left corner of the page.
 fn flipped(height: f64) -> Affine {
     Affine::new([1.0, 0.0, 0.0, -1.0, 0.0, height])
+}
+
+/// The map and the viewport of the elements within `node`, a nested `<svg>` or a `<symbol>`, in `viewport`; the reason if an attribute is
+/// faulty. A size of `frame`, the `<use>` that refers to it, goes before the element's own; the view box is fitted into it.
+pub(super) fn nested_viewport(
+    node: Node<'_, '_>,
+    frame: Node<'_, '_>,
+    viewport: Viewport,
+) -> Result<(Affine, Viewport), String> {
+    let [w, h] = viewport.0;
+    let [width, height] = [("width", 0, w), ("height", 1, h)].map(|(name, axis, default)| {
+        let value = frame.attribute(name).or_else(|| node.attribute(name));
+        value.filter(|v| v.trim() != "auto").map_or(Ok(default), |v| viewport.length(name, v, axis))
+    });
+    let size = [width?, height?];
+    if size.iter().any(|side| *side < 0.0) {
+        return Err("Its width or height is negative.".to_owned());
+    }
+    let is_svg = node.tag_name().name() == "svg";
+    let shift = if is_svg { viewport.shift(node)? } else { Affine::translate(0.0, 0.0) };
+    Ok(match view_box(node)? {
+        Some(from) => (shift.following(&fitted(node, from, size)?), Viewport([from.w, from.h])),
+        None => (shift, Viewport(size)),
+    })
 }

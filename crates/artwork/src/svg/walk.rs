@@ -8,7 +8,7 @@ use super::document::{Source, is_svg, names, shortened};
 use super::paint::Paint;
 use super::properties::{GEOMETRY, is_zero};
 use super::style::{Cascade, Style};
-use super::viewport::{Viewport, fitted, view_box};
+use super::viewport::{Viewport, nested_viewport};
 use super::{clip, conditions, path_data, shapes, transform};
 use geom::Point;
 
@@ -119,10 +119,10 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let cascade = self.cascade(node);
         let Some(value) = cascade.applied("clip-path") else { return };
         let find = |id: &str| self.ids.get(id).copied();
-        let own_map = transform::of(node, &cascade, context.viewport).ok();
-        let map = own_map.map(|own_map| context.map.after(&own_map));
-        let clip = map.and_then(|map| clip::of(node, value, (&map, context.viewport), find));
-        if !clip.is_some_and(|clip| clip.holds(self.out.seen_elements(first))) {
+        let own_map = transform::declared(node, &cascade, context.viewport).ok();
+        let map = own_map.map(|own_map| context.map.following(&own_map));
+        let clip = map.and_then(|map| clip::declared(node, value, &map, context.viewport, find));
+        if !clip.is_some_and(|clip| clip.covers(self.out.seen_elements(first))) {
             let text = clip::unapplied("clip-path", &shortened(value));
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
@@ -168,11 +168,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                     _ => format!("Elements <{tag}> are not read; it is left out."),
                 };
                 let mut place = self.place(node, context);
-                let number = |name| node.attribute(name).and_then(|value| value.trim().parse::<f64>().ok());
-                if let (Some(x), Some(y)) = (number("x"), number("y"))
+                let coordinates = ["x", "y"]
+                    .map(|name| node.attribute(name).and_then(|value| value.trim().parse::<f64>().ok()));
+                if let [Some(x), Some(y)] = coordinates
                     && let Some(own_map) = self.transform(node, context)
                 {
-                    place.at = Some(context.map.after(&own_map).point(Point::new(x, y)))
+                    place.at = Some(context.map.following(&own_map).point(Point::new(x, y)))
                         .filter(|at| (at.x + at.y).is_finite());
                 }
                 if tag == "text" {
@@ -187,31 +188,10 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// A nested `<svg>`, or a `<symbol>` or `<svg>` that `frame` (a `<use>`) refers to and may give a size.
     fn nested(&mut self, node: Node<'a, 'd>, frame: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
-        // A size of the reference goes before the element's own. The view box is fitted into it, which gives map and
-        // viewport for all elements within.
-        let read = || -> Result<(Affine, Viewport), String> {
-            let length = |name, axis, default: f64| {
-                let value = frame.attribute(name).or_else(|| node.attribute(name));
-                value
-                    .filter(|v| v.trim() != "auto")
-                    .map_or(Ok(default), |v| context.viewport.length(name, v, axis))
-            };
-            let [w, h] = context.viewport.0;
-            let size = [length("width", 0, w)?, length("height", 1, h)?];
-            if size.iter().any(|side| *side < 0.0) {
-                return Err("Its width or height is negative.".to_owned());
-            }
-            let is_svg = node.tag_name().name() == "svg";
-            let shift = if is_svg { context.viewport.shift(node)? } else { Affine::translate(0.0, 0.0) };
-            Ok(match view_box(node)? {
-                Some(from) => (shift.after(&fitted(node, from, size)?), Viewport([from.w, from.h])),
-                None => (shift, Viewport(size)),
-            })
-        };
-        match read() {
+        match nested_viewport(node, frame, context.viewport) {
             Ok((map, viewport)) => {
                 let Some(own_map) = self.transform(node, context) else { return Ok(()) };
-                let map = context.map.after(&own_map).after(&map);
+                let map = context.map.following(&own_map).following(&map);
                 self.group(node, Context { map, viewport, ..context.clone() }, false)
             }
             Err(text) => {
@@ -250,7 +230,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             }
         };
         let Some(mut inner) = self.entered(node, context.clone()) else { return Ok(()) };
-        inner.map = inner.map.after(&shift);
+        inner.map = inner.map.following(&shift);
         inner.names.extend(names(node));
         inner.path = format!("{} > ", place.element.unwrap_or_default());
         inner.targets.push(target.id());
@@ -321,7 +301,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Notes paints that name no layer, and dashes.
     fn remarks(&mut self, style: &Style, place: &Place) {
-        let [stroke, fill] = style.seen();
+        let [stroke, fill] = style.visible_paints();
         let text = match (stroke, fill) {
             (Paint::Other, _) => "Its stroke has no colour that is read, so it names no layer.",
             (Paint::None, Paint::Other) => "Its fill has no colour that is read, so it names no layer.",
@@ -360,12 +340,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         // A nested frame has its transform applied before its view box, in `nested`.
         let is_nested = is_frame && node.id() != self.root.id();
         let map = if is_nested { Affine::IDENTITY } else { self.transform(node, &context)? };
-        Some(Context { map: context.map.after(&map), style, ..context })
+        Some(Context { map: context.map.following(&map), style, ..context })
     }
 
     /// The transform of an element; `None` with a fault recorded.
     fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
-        match transform::of(node, &self.cascade(node), context.viewport) {
+        match transform::declared(node, &self.cascade(node), context.viewport) {
             Ok(map) => Some(map),
             Err(text) => {
                 self.out.fault(self.place(node, context), text, "Correct or remove it.");
