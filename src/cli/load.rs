@@ -135,7 +135,7 @@ impl Loaded {
         let forecast = forecast.map_err(|mut refusals| {
             refusals.offer(RefusalCode::LargeShell, "`--anyway` computes it");
             if !anyway {
-                let mut unfit = acceptable(unfit_besides(&self.reading.spec, &self.machine));
+                let mut unfit = acceptable(unfit_besides(&self.reading.spec, &self.machine, &refusals));
                 unfit.retain(|unfit| refusals.iter().all(|refusal| refusal.code != unfit.code));
                 refusals.extend(unfit);
             }

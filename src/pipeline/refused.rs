@@ -101,13 +101,22 @@ pub(super) fn refused(spec: &Spec, machine: &Machine, refusals: Refusals) -> Ref
     mended.refusals
 }
 
-/// The reasons why a gripper of `spec`, which the design refuses, does not suit its own load, as far as that can be judged. Models that compute
+/// The reasons why a gripper of `spec`, which has these `refusals`, does not suit its own load, as far as that can be judged. Models that compute
 /// for long are left out.
-pub fn unfit_besides(spec: &Spec, machine: &Machine) -> Refusals {
-    let Mended { spec, design, .. } = Mended::new(spec, machine, Design::new(spec, machine));
+pub fn unfit_besides(spec: &Spec, machine: &Machine, refusals: &Refusals) -> Refusals {
     let is_fast = !matches!(spec.accuracy.model, ModelChoice::Shell | ModelChoice::Bvp);
-    let stars = design.filter(|design| design.assembly().is_some() && spec.load.is_some() && is_fast);
-    stars.map_or_else(Refusals::new, |design| match predict(&spec, &design) {
+    if !spec.has_stars() || spec.load.is_none() || !is_fast {
+        return Refusals::new();
+    }
+    // The refused values are mended before the design is made again: to refuse a bed for a large mask takes long.
+    let mut mended =
+        Mended { spec: spec.clone(), machine: machine.clone(), refusals: Refusals::new(), design: None };
+    for refusal in refusals.iter() {
+        let _ = mended.mend(refusal.key);
+    }
+    let design = Design::new(&mended.spec, &mended.machine);
+    let Mended { spec, design, .. } = Mended::new(&mended.spec, &mended.machine, design);
+    design.map_or_else(Refusals::new, |design| match predict(&spec, &design) {
         Ok(prediction) => verdict::refusals(&spec, &prediction).into_iter().collect(),
         Err(fault) => no_prediction(&fault).into(),
     })

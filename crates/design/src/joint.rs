@@ -45,11 +45,22 @@ pub(super) struct JointCut {
     knobs: Vec<f64>,
 }
 
+/// Segments of an edge that many lines cross. Their bounds and lengths are computed once: a mask of 64 tips is crossed at 80,000 places.
+struct MeasuredEdge {
+    path: Path,
+    /// Bounds of each segment.
+    bounds: Vec<Bounds>,
+    /// Length of each segment, mm.
+    lengths: Vec<f64>,
+    /// Greatest distance from the X axis, and a millimetre, mm.
+    reach: f64,
+}
+
 /// The surroundings of a joint, in the frame of the tip's ray.
 struct Around {
     plate: Path,
-    /// Bounds of each segment of the plate's edge.
-    bounds: Vec<Bounds>,
+    /// The part of the plate's edge in the tip's sector, where a joint ends.
+    sector: MeasuredEdge,
     /// Largest radius of a knob.
     most: f64,
     /// Centres and radii.
@@ -79,7 +90,7 @@ impl JointCut {
         let holes = outline.registration.iter();
         let plate = motion.path(&mask.plate);
         let surroundings = Around {
-            bounds: plate.segments.iter().map(Segment::bounds).collect(),
+            sector: MeasuredEdge::new(part_in_sector(&plate, star.half_sector())),
             plate,
             most: largest,
             holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
@@ -97,9 +108,10 @@ impl JointCut {
 
     /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
     pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
-        let turned = Isometry::rotation(-self.ray).path(edge);
-        let chord = enclosed_chord(&turned, self.at)?;
-        let (total, (_, from), (_, to)) = (turned.length(), chord.low, chord.high);
+        let turned = MeasuredEdge::new(Isometry::rotation(-self.ray).path(edge));
+        let chord = turned.enclosed_chord(self.at)?;
+        let (turned, total) = (&turned.path, turned.lengths.iter().sum::<f64>());
+        let ((_, from), (_, to)) = (chord.low, chord.high);
         let far_end = if to > from { to } else { to + total };
         let tip = turned.part(from, far_end).chain(self.line(&chord, PLAY).reversed());
         let rest = turned.part(far_end, from + total).chain(self.line(&chord, 0.0));
@@ -109,8 +121,8 @@ impl JointCut {
 
     /// The joint across `edge`, as the middle has it.
     pub(super) fn joint(&self, edge: &Path) -> Option<Path> {
-        let turned = Isometry::rotation(-self.ray).path(edge);
-        let chord = enclosed_chord(&turned, self.at)?;
+        let turned = MeasuredEdge::new(Isometry::rotation(-self.ray).path(edge));
+        let chord = turned.enclosed_chord(self.at)?;
         Some(Isometry::rotation(self.ray).path(&self.line(&chord, 0.0)))
     }
 
@@ -139,7 +151,7 @@ impl JointCut {
 impl Around {
     /// Radius and places of the knobs for which a joint at `x` has room; `None` if it has none.
     fn room(&self, x: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
-        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, &self.bounds, x)?;
+        let Chord { low: (low, _), high: (high, _) } = self.sector.chord(x)?;
         let in_sector = |y: f64| {
             let end = Point::new(x, y);
             end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
@@ -148,7 +160,11 @@ impl Around {
             (low..high).contains(&hole.y) && (hole.x - x).abs() < radius + WALL
         };
         // The dearest test is the last one.
-        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) || !is_within(&self.plate, x) {
+        if !in_sector(low)
+            || !in_sector(high)
+            || self.holes.iter().any(hits)
+            || !encloses_axis_at(&self.plate, x)
+        {
             return None;
         }
         let (middle, quarter) = (f64::midpoint(low, high), (high - low) / 4.0);
@@ -168,38 +184,57 @@ impl Around {
 /// The height of a crossing, and how far along the path it lies.
 type Crossing = (f64, f64);
 
-/// The part of the line x = `x` around the X axis that lies within the closed `path`.
-fn enclosed_chord(path: &Path, x: f64) -> Option<Chord> {
-    let bounds: Vec<Bounds> = path.segments.iter().map(Segment::bounds).collect();
-    chord(path, &bounds, x).filter(|_| is_within(path, x))
-}
-
-/// Whether the point of the X axis at `x` lies within the closed `path`.
-fn is_within(path: &Path, x: f64) -> bool {
-    path.encloses(Point::ORIGIN + Vec2::new(x, 0.0))
-}
-
 /// Rounding of bounds, mm.
 const ROUNDING: f64 = 1e-6;
 
-/// The nearest crossings of the line x = `x` and `path` on both sides of the X axis; `bounds` are those of its segments.
-fn chord(path: &Path, bounds: &[Bounds], x: f64) -> Option<Chord> {
-    let reach = bounds.iter().fold(0.0, |reach: f64, b| reach.max(b.max.y.abs()).max(b.min.y.abs())) + 1.0;
-    let line = Line::new(Point::new(x, -reach), Point::new(x, reach)).into();
-    let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
-    let mut start = 0.0;
-    for (segment, bounds) in path.segments.iter().zip(bounds) {
-        let is_crossed = (bounds.min.x - ROUNDING..=bounds.max.x + ROUNDING).contains(&x);
-        for meet in is_crossed.then(|| intersections(segment, &line)).into_iter().flatten() {
-            let end = (meet.y, start + segment.nearest_fraction(meet) * segment.length());
-            if meet.y < 0.0 && low.is_none_or(|known| known.0 < meet.y) {
-                low = Some(end);
-            }
-            if meet.y > 0.0 && high.is_none_or(|known| known.0 > meet.y) {
-                high = Some(end);
-            }
-        }
-        start += segment.length();
+/// The segments of `edge` near the sector of this half angle around the X axis, which is less than a right angle, with a millimetre more.
+fn part_in_sector(edge: &Path, half_sector: f64) -> Path {
+    let slope = libm::tan(half_sector);
+    let is_near = |segment: &&Segment| {
+        let Bounds { min, max } = segment.bounds();
+        let y = min.y.max(-max.y).max(0.0);
+        max.x > 0.0 && y < slope * max.x + 1.0
+    };
+    Path::open(edge.segments.iter().filter(is_near).copied().collect::<Vec<_>>())
+}
+
+/// Whether the point of the X axis at `x` lies within the closed `path`.
+fn encloses_axis_at(path: &Path, x: f64) -> bool {
+    path.encloses(Point::ORIGIN + Vec2::new(x, 0.0))
+}
+
+impl MeasuredEdge {
+    fn new(path: Path) -> Self {
+        let bounds: Vec<Bounds> = path.segments.iter().map(Segment::bounds).collect();
+        let lengths = path.segments.iter().map(Segment::length).collect();
+        let reach =
+            bounds.iter().fold(0.0, |reach: f64, b| reach.max(b.max.y.abs()).max(b.min.y.abs())) + 1.0;
+        Self { path, bounds, lengths, reach }
     }
-    low.zip(high).map(|(low, high)| Chord { low, high })
+
+    /// The part of the line x = `x` around the X axis that lies within the edge.
+    fn enclosed_chord(&self, x: f64) -> Option<Chord> {
+        self.chord(x).filter(|_| encloses_axis_at(&self.path, x))
+    }
+
+    /// The nearest crossings of the line x = `x` and the edge on both sides of the X axis.
+    fn chord(&self, x: f64) -> Option<Chord> {
+        let line = Line::new(Point::new(x, -self.reach), Point::new(x, self.reach)).into();
+        let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
+        let mut start = 0.0;
+        for ((segment, bounds), length) in self.path.segments.iter().zip(&self.bounds).zip(&self.lengths) {
+            let is_crossed = (bounds.min.x - ROUNDING..=bounds.max.x + ROUNDING).contains(&x);
+            for crossing in is_crossed.then(|| intersections(segment, &line)).into_iter().flatten() {
+                let end = (crossing.y, start + segment.nearest_fraction(crossing) * length);
+                if crossing.y < 0.0 && low.is_none_or(|nearest| nearest.0 < crossing.y) {
+                    low = Some(end);
+                }
+                if crossing.y > 0.0 && high.is_none_or(|nearest| nearest.0 > crossing.y) {
+                    high = Some(end);
+                }
+            }
+            start += length;
+        }
+        low.zip(high).map(|(low, high)| Chord { low, high })
+    }
 }
