@@ -56,7 +56,7 @@ pub(crate) fn for_object(
     py.detach(|| request.gripper(name, &spec, &machine)).map(|made| made.text).map_err(|why| match why {
         NoGripper::Fault(text) => refused(py, &text),
         NoGripper::Infeasible(reasons, nearest) => {
-            let nearest = nearest.iter().map(|NearRequest { changes, .. }| format!("possible: {changes}"));
+            let nearest = nearest.iter().map(NearRequest::offer);
             refused(py, &reasons.into_iter().chain(nearest).collect::<Vec<_>>().join("\n"))
         }
     })

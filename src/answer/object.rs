@@ -11,7 +11,7 @@ use forecast::sizing::{
     Choice, ENDLESS, FRICTION, Infeasible, NearestRequirements, Requirements, StatedUnits, Workspace, choose,
     spec_text,
 };
-use forecast::verdict::Verdict;
+use forecast::verdict::{Holds, Verdict};
 use inflatable::mechanics::hinge::ring::RingTable;
 use spec::units::{Force, Length, Mass, Most, Pressure, Stated, counted, factor, hundredths_down, in_unit};
 use spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
@@ -92,8 +92,19 @@ pub struct NearRequest {
     pub requirements: Requirements,
     /// The changes from the other request, in words.
     pub changes: String,
+    /// Whether no value was changed by more than a tenth.
+    pub is_near: bool,
     /// The gripper that meets it.
     pub gripper: NewGripper,
+}
+
+impl NearRequest {
+    /// How far the request is, whether its gripper certainly holds the object, and the changes.
+    pub fn offer(&self) -> String {
+        let distance = if self.is_near { "near it" } else { "farther away" };
+        let certainty = if self.gripper.surely_holds() { "can" } else { "may" };
+        format!("a request {distance} that {certainty} be met: {}", self.changes)
+    }
 }
 
 /// A gripper for an object: its spec and its forecast.
@@ -110,6 +121,17 @@ pub struct NewGripper {
 }
 
 impl NewGripper {
+    /// Whether `check` says that it holds the object.
+    fn surely_holds(&self) -> bool {
+        self.forecast.verdict().is_some_and(|verdict| verdict.holds == Holds::Yes)
+    }
+
+    /// The reasons why it may not hold the object, one line; `None` if it certainly holds it.
+    pub fn doubt_in_words(&self) -> Option<String> {
+        let verdict = self.forecast.verdict().filter(|_| !self.surely_holds())?;
+        Some(format!("{}: {}", verdict.line(), verdict.reasons.join("; ")))
+    }
+
     /// The verdict with its reasons, and the chosen values: one line each.
     pub fn in_words(&self) -> String {
         let verdict = self.forecast.verdict();
@@ -284,23 +306,32 @@ impl Request {
         let choices =
             choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
                 // The nearest requirements are tested like the requested ones, so that they can really be met.
-                let near_requests = nearest.into_iter().filter_map(|nearest| {
-                    let mut base = base.clone();
-                    let sheet = nearest.requirements.room.sheet;
-                    [base.sheet.width, base.sheet.height] =
-                        sheet.map(|side| Some(side).filter(|side| side.0.is_finite()));
-                    let NearestRequirements { requirements: eased, choices } = &nearest;
-                    let gripper = gripper_of(choices, &base).ok()?;
-                    Some(NearRequest {
-                        requirements: *eased,
-                        changes: nearest.changes(&requirements),
-                        gripper,
+                let near_requests: Vec<NearRequest> = nearest
+                    .into_iter()
+                    .filter_map(|nearest| {
+                        let mut base = base.clone();
+                        let sheet = nearest.requirements.room.sheet;
+                        [base.sheet.width, base.sheet.height] =
+                            sheet.map(|side| Some(side).filter(|side| side.0.is_finite()));
+                        let NearestRequirements { requirements: eased, choices } = &nearest;
+                        let gripper = gripper_of(choices, &base).ok()?;
+                        Some(NearRequest {
+                            requirements: *eased,
+                            changes: nearest.changes(&requirements),
+                            is_near: nearest.is_near(&requirements),
+                            gripper,
+                        })
                     })
-                });
+                    .collect();
+                let (sure, doubtful): (Vec<_>, Vec<_>) =
+                    near_requests.into_iter().partition(|near| near.gripper.surely_holds());
                 let width = self.object.quantity;
                 let unit = (!USUAL_SIZES.contains(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));
-                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near_requests.collect())
+                NoGripper::Infeasible(
+                    unit.into_iter().chain(reasons).collect(),
+                    sure.into_iter().chain(doubtful).collect(),
+                )
             })?;
         gripper_of(&choices, base).map_err(|refusals| {
             let reasons: Vec<String> =

@@ -23,7 +23,7 @@ pub enum Failure {
     Unproven(Unproven),
     /// The build could not be published.
     Publish(PublishFault),
-    /// No gripper meets the request: the reasons, and the requests near it that can be met.
+    /// No gripper meets the request: the reasons, and other requests with what is to be expected of them.
     Infeasible(String, Vec<String>),
     /// A file that cannot be read or written: its path, and the sentence.
     File(String, String),
@@ -108,8 +108,8 @@ impl Failure {
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Infeasible(text, nearest) => {
-                let line = |near: &String| format!("\na request near it that can be met: {near}");
-                format!("error: {text}{}", nearest.iter().map(line).collect::<String>())
+                let offers: String = nearest.iter().map(|offer| format!("\n{offer}")).collect();
+                format!("error: {text}{offers}")
             }
             Self::File(_, text) | Self::Message(text) => {
                 format!("error: {text}")

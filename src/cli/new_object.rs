@@ -76,7 +76,7 @@ pub(super) fn chosen(
     })
 }
 
-/// A request near the one with the requirements `required` that can be met, and its command.
+/// A request that was found in place of the one with the requirements `required`: its offer, its gripper, and its command.
 fn in_words(
     name: &str,
     args: &ObjectArgs,
@@ -101,13 +101,14 @@ fn in_words(
         ("sheet", sheet.map(|[width, height]| format!("{}x{}", width.0, height.0))),
     ];
     let word = |(option, value): (&str, Option<String>)| Some(format!(" --{option} {}", argument(value?)));
-    format!(
-        "{}\n  {}\n  stargrip-cam new {}{}",
-        nearest.changes,
-        nearest.gripper.star_in_words().unwrap_or_default(),
+    let gripper = &nearest.gripper;
+    let command = format!(
+        "stargrip-cam new {}{}",
         argument(name),
         options.into_iter().filter_map(word).collect::<String>()
-    )
+    );
+    let lines = [Some(nearest.offer()), gripper.doubt_in_words(), gripper.star_in_words(), Some(command)];
+    lines.into_iter().flatten().collect::<Vec<_>>().join("\n  ")
 }
 
 /// The base of the search: fabric, machine, sheet and radii of curvature.

@@ -27,7 +27,7 @@ codes! {
     /// The reason why a command fails although neither a spec nor a design is refused.
     CommandCode {
         Failed "failed" "The command cannot do this; the message gives the reason.",
-        Infeasible "infeasible" "No gripper meets the request; the message names a request near it that can be met.",
+        Infeasible "infeasible" "No gripper meets the request; the message names other requests that can be met.",
         NotPublished "not-published" "The files could not be put in place; nothing was replaced.",
     }
 }

@@ -51,14 +51,23 @@ fn offers(said: &str) -> Vec<Vec<String>> {
     said.lines().filter_map(|line| line.trim().strip_prefix("stargrip-cam ")).map(words).collect()
 }
 
-/// Asserts that each command that `said` offers gives a gripper, and that there is one; the spec of the first one is left in `dir`.
+/// The headings of the requests that `said` offers, each with its changes.
+fn headings(said: &str) -> impl Iterator<Item = (&str, &str)> {
+    said.lines().filter(|line| line.starts_with("a request ")).filter_map(|line| line.split_once(" be met: "))
+}
+
+/// Asserts that each command that `said` offers gives a gripper which holds as its heading tells, and that there is one; the spec of the first
+/// one is left in `dir`.
 fn can_be_had(dir: &Path, said: &str, asked: &str) {
-    assert!(said.contains("a request near it that can be met: "), "{asked}: {said}");
-    for command in offers(said).iter().rev() {
+    let certainties: Vec<bool> = headings(said).map(|(heading, _)| heading.ends_with(" can")).collect();
+    assert!(!certainties.is_empty() && certainties.len() == offers(said).len(), "{asked}: {said}");
+    for (command, is_certain) in offers(said).iter().zip(certainties).rev() {
         let _ = fs::remove_file(dir.join("wish.toml"));
         let command: Vec<&str> = command.iter().map(String::as_str).collect();
         let output = run(dir, &command);
         assert_eq!(output.status.code(), Some(0), "{asked}: {said}: {}", text(&output.stderr));
+        let expected = if is_certain { "holds the object" } else { "may hold the object" };
+        assert!(text(&output.stdout).starts_with(expected), "{asked}: {said}: {}", text(&output.stdout));
         let check = run(dir, &["check", "wish.toml"]);
         assert_eq!(check.status.code(), Some(0), "{asked}: {said}: {}", text(&check.stderr));
     }
@@ -297,6 +306,12 @@ fn the_reason_binds_and_every_way_out_works() {
         ),
         // The least mass is that under all conditions, also those that are met.
         ("--object 14mm --height 2.7mm --mass 290g --fragile 20N", "it can safely carry ", &["a mass of "]),
+        // A ball that is lower than the lowest star: every way out needs it lifted.
+        (
+            "--object 20mm --mass 8g --fragile 2N",
+            "it can safely carry ",
+            &["friction ", "an object that bears ", "a mass of "],
+        ),
         // Two reasons, and one way out of both.
         ("--object 66mm --mass 35kg --sheet 90x90", "the star needs a sheet of ", &["a sheet of "]),
     ] {
@@ -319,8 +334,7 @@ fn the_reason_binds_and_every_way_out_works() {
 
 /// Asserts that `refusal` offers `ways`, each with a number, and that the mass which can be carried is the one that is offered.
 fn assert_offers(request: &str, refusal: &str, ways: &[&str]) {
-    let heading = "a request near it that can be met: ";
-    let offers: Vec<&str> = refusal.lines().filter_map(|line| line.strip_prefix(heading)).collect();
+    let offers: Vec<&str> = headings(refusal).map(|(_, changes)| changes).collect();
     assert_eq!(offers.len(), ways.len(), "{request}: {refusal}");
     for (offer, way) in offers.iter().zip(ways) {
         assert!(offer.starts_with(way) && !offer.contains("any "), "{request}: {refusal}");
@@ -329,6 +343,24 @@ fn assert_offers(request: &str, refusal: &str, ways: &[&str]) {
     let eased = offers.iter().find_map(|offer| offer.strip_prefix("a mass of "));
     if let Some((carried, eased)) = carried.zip(eased) {
         assert_eq!(carried, eased, "{request}: {refusal}");
+    }
+}
+
+/// A way out that is far from the request is not called near it, whatever it changes.
+#[test]
+fn only_what_differs_by_a_tenth_is_near() {
+    for (request, is_near) in [
+        ("--object 76.2mm --mass 170g --fragile 0.1N", false),
+        ("--object 12mm --height 100mm --shape cylinder --mass 5kg", false),
+        ("--object 66mm --mass 35kg --sheet 90x90", false),
+        ("--object 340mm --mass 0.5kg --friction 1", true),
+        ("--object 20mm --mass 8g --fragile 2N", true),
+    ] {
+        let args: Vec<&str> = ["new", "wish"].into_iter().chain(request.split(' ')).collect();
+        let refusal = text(&run(folder().path(), &args).stderr);
+        let distance = if is_near { "a request near it " } else { "a request farther away " };
+        assert!(headings(&refusal).count() > 0, "{refusal}");
+        assert!(headings(&refusal).all(|(heading, _)| heading.starts_with(distance)), "{request}: {refusal}");
     }
 }
 

@@ -52,8 +52,8 @@ const OFFERS: [Requirement; 5] =
 const COMBINATIONS: usize = 4;
 /// A requirement is named as a condition if a way out without it differs by this much, as a logarithm: more than searches differ.
 const NOTICED: f64 = 0.1;
-/// An object is near another if their sizes differ by no larger factor.
-const NEAR_SIZE: f64 = 0.9;
+/// A value is near another one if they differ by no larger factor.
+const NEAR: f64 = 0.9;
 
 /// The grippers that meet `requirements`, the best first, from `base`: its fabric, seal and radii of curvature.
 ///
@@ -184,10 +184,15 @@ impl Finder<'_> {
             "an object {width} across is outside the range in which shells were computed: the {end} is about {}",
             sized.requirements.width_in_words()
         )];
-        let is_near = (NEAR_SIZE..=1.0 / NEAR_SIZE).contains(&ratio);
-        let nearest = is_near.then(|| self.grippers(&Requirement::Size.with(required, object.0))).flatten();
+        let nearest =
+            is_near(ratio).then(|| self.grippers(&Requirement::Size.with(required, object.0))).flatten();
         Infeasible { reasons, nearest: nearest.into_iter().collect() }
     }
+}
+
+/// Whether values of this `ratio` are near each other.
+fn is_near(ratio: f64) -> bool {
+    (NEAR..=1.0 / NEAR).contains(&ratio)
 }
 
 /// The ways out of several conflicts: one of each, those first that are offered first.
@@ -372,6 +377,13 @@ impl NearestRequirements {
         let easings = OFFERS.into_iter().chain([Requirement::Size]);
         let changes = easings.filter_map(|easing| easing.change(required, &self.requirements));
         changes.collect::<Vec<_>>().join(" and ")
+    }
+
+    /// Whether each value is near that of `required`: within a tenth.
+    pub fn is_near(&self, required: &Requirements) -> bool {
+        let easings = OFFERS.into_iter().chain([Requirement::Size]);
+        let mut changed = easings.filter(|easing| easing.change(required, &self.requirements).is_some());
+        changed.all(|easing| is_near(easing.value(&self.requirements) / easing.value(required)))
     }
 }
 
