@@ -623,3 +623,20 @@ fn a_thin_hose_has_a_mouth() {
         assert!((sealing.shape.port_width(0).unwrap() - port_width).abs() < 1e-9, "{port_width}");
     }
 }
+
+/// The ends of its seam beside the hose are then longer than the edge. One side leans, and any side has the port.
+#[test]
+fn an_edge_may_be_shorter_than_the_ends_of_its_seam() {
+    for length in [0.3, 0.5, 1.0, 3.0] {
+        let corners = [p(0.0, 0.0), p(1.7 * length, 0.0), p(2.1 * length, length), p(0.0, length)];
+        for (k, corner) in corners.iter().enumerate() {
+            let middle = corner.lerp(corners[(k + 1) % 4], 0.5);
+            let tiny = sketch(vec![("r", polygon(&corners))], vec![port(middle.x, middle.y)]);
+            let port_width = 0.2 * length;
+            let rules = Rules { band: 0.1 * length, allowance: 0.2 * length, port_width, ..RULES };
+            let sealing =
+                sealed_shape(&tiny, &rules).unwrap_or_else(|faults| panic!("{length} {k}: {faults:?}"));
+            assert_eq!(sealing.shape.seams.len(), 1, "{length} {k}");
+        }
+    }
+}
