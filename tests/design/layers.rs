@@ -1,6 +1,6 @@
 //! Layers of files as drawing programs write them: the proposed roles make a design.
 
-use stargrip_cam::design::{Design, propose_layers};
+use stargrip_cam::design::{Design, drawing_notes, propose_layers};
 use stargrip_cam::spec::{self, LayerRole, Source};
 
 use crate::support;
@@ -319,4 +319,45 @@ fn every_figure_has_a_name() {
         "{head}<g id=\"l1\" inkscape:label=\"air&#10;outer\"><rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/></g><g inkscape:label=\"port&#13;\"><path d=\"M16 50H24\"/></g></svg>"
     );
     assert_roles(&proposed("a.svg", &text), &[("air\nouter", LayerRole::Air), ("port\r", LayerRole::Port)]);
+}
+
+/// The names that a user gave decide before a colour, which every figure of an SVG has; a note tells where they differ. In a DXF a colour of its
+/// own is an exception from the layer. Markers decorate a line.
+#[test]
+fn names_decide_before_colours() {
+    let edge = "d=\"M0 0H100V60H0Z\"";
+    let line = "d=\"M-4 30H4\"";
+    let drawing = |air: &str, port: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"-10 -10 200 100\">\
+             <g id=\"edges\"><path id=\"e\" stroke=\"#000000\" fill=\"none\" {edge}{air}/></g>\
+             <g id=\"hoses\"><g><path id=\"h\" stroke=\"#000000\" {line}{port}/></g></g></svg>"
+        )
+    };
+    let with_layers = |text: &str, layers: &str| {
+        let spec = format!(
+            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ {layers} }}\n[sheet]\ncopies = 1\n"
+        );
+        let reading = spec::read(&Source::new("x", &spec)).unwrap_or_else(|faults| panic!("{faults}"));
+        reading.with_drawing(text.as_bytes()).spec
+    };
+    let plain = drawing("", "");
+    let marked = drawing(" marker-end=\"url(#arrow)\"", " style=\"marker-start:url(#dot)\"");
+    for text in [&plain, &marked] {
+        for layers in [
+            "air = [\"edges\"], port = [\"hoses\"]",
+            "air = [\"#000000\"], port = [\"hoses\"]",
+            "air = [\"#000000\"], port = [\"h\"]",
+            "air = [\"edges\"], port = [\"#000000\"]",
+        ] {
+            let spec = with_layers(text, layers);
+            let design = Design::new(&spec, &support::machine());
+            let design = design.unwrap_or_else(|refusals| panic!("{layers}: {refusals}"));
+            let pieces = &design.drawn().expect("a drawing").pieces;
+            assert_eq!((pieces.len(), pieces[0].shape.ports.len()), (1, 1), "{layers}");
+            let notes = drawing_notes(&spec);
+            let differs = notes.iter().any(|note| note.contains("not that of the colour \"#000000\""));
+            assert_eq!(differs, layers.contains('#'), "{layers}: {notes:?}");
+        }
+    }
 }

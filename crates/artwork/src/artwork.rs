@@ -44,6 +44,9 @@ pub struct Element {
     pub layers: Vec<String>,
     /// Number of names in `layers` that are its own, at least one for a DXF. SVG: id, label and colour. DXF: colour and layer.
     pub own_names: usize,
+    /// Number in `layers` of the colour of an SVG's figure. Each of them has one, so it gives a role only where no other name does; a colour
+    /// that a DXF entity has of its own is an exception from its layer, and none of these.
+    pub colour: Option<usize>,
     /// Geometry of the element.
     pub figure: Figure,
     /// Line of the file, from 1.
@@ -115,6 +118,8 @@ pub struct Place {
     pub layers: Vec<String>,
     /// Number of its own names among them, as in [`Element::own_names`].
     pub own_names: usize,
+    /// Number of its colour among them, as in [`Element::colour`].
+    pub colour: Option<usize>,
     /// Line of the file, from 1.
     pub line: Option<usize>,
     /// A point of the element, mm; `None` if unknown.
@@ -167,17 +172,29 @@ impl std::fmt::Display for Note {
 }
 
 impl Element {
-    /// All names by which a role may be given, innermost first: the id, then the layers.
+    /// All names by which a role may be given, innermost first: the id, then the layers, and last the colour of an SVG's figure.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        std::iter::once(self.id.as_str()).chain(self.layers.iter().map(String::as_str))
+        std::iter::once(self.id.as_str()).chain(colour_last(&self.layers, self.colour))
+    }
+
+    /// The colour of an SVG's figure, as the name of a layer.
+    pub fn colour_name(&self) -> Option<&str> {
+        self.layers.get(self.colour?).map(String::as_str)
     }
 }
 
 impl Place {
     /// All names by which a role may be given to what lies there, as [`Element::names`].
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.element.as_deref().into_iter().chain(self.layers.iter().map(String::as_str))
+        self.element.as_deref().into_iter().chain(colour_last(&self.layers, self.colour))
     }
+}
+
+/// The names in `layers`, in their order but for that of number `colour`, which is the last.
+fn colour_last(layers: &[String], colour: Option<usize>) -> impl Iterator<Item = &str> {
+    let others = layers.iter().enumerate().filter(move |(number, _)| Some(*number) != colour);
+    let last = colour.and_then(|number| layers.get(number));
+    others.map(|(_, name)| name.as_str()).chain(last.map(String::as_str))
 }
 
 impl Note {

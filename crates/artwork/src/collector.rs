@@ -230,11 +230,12 @@ impl<'o> Collector<'o> {
     }
 
     fn push(&mut self, place: Place, figure: Figure) {
-        let Place { element, layers, own_names, line, .. } = place;
+        let Place { element, layers, own_names, colour, line, .. } = place;
         self.drawing.elements.push(Element {
             id: element.unwrap_or_default(),
             layers,
             own_names,
+            colour,
             figure,
             line,
         });

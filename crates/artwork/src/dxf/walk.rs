@@ -140,7 +140,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         });
         let point = x.zip(y).map(|(x, y)| context.map.point(Point::new(x, y)));
         let point = point.filter(|point| point.x.is_finite() && point.y.is_finite());
-        Ok(Place { element: Some(id), layers, own_names, line: Some(record.line), at: point })
+        Ok(Place { element: Some(id), layers, own_names, colour: None, line: Some(record.line), at: point })
     }
 
     fn layer(&self, name: &str) -> Layer {

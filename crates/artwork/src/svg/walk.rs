@@ -243,7 +243,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn shape(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
-        // The element's names from the innermost to the outermost are its layers: label, id, colour, then those of its
+        // The element's names from the innermost to the outermost are its layers: id, label, colour, then those of its
         // groups. Each chain of its outline becomes an element of the drawing. Unseen ones are marked, because nobody
         // sees what they mean.
         let Some(inner) = self.entered(node, context.clone()) else { return Ok(()) };
@@ -262,6 +262,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                 place.own_names = layers.len();
             }
         }
+        place.colour = layers.iter().position(|name| Some(name) == colour.as_ref());
         place.layers = layers;
         if !inner.style.visible {
             self.out.note(Weight::Hidden, place, "It is hidden (visibility), and is left out.");
@@ -333,7 +334,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             let (weight, text) = match name {
                 "mask" => (Weight::Changed, clip::unapplied(name, &short)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
-                _ => (Weight::Changed, format!("The markers {short} are not read.")),
+                // Arrow heads and dots decorate a line, which stays what it is.
+                _ => (Weight::Information, format!("The markers {short} are not read.")),
             };
             self.out.note(weight, self.place(node, &context), text);
         }
@@ -373,6 +375,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             element: Some(format!("{}{own_id}", context.path)),
             layers: layers.into_iter().map(str::to_owned).collect(),
             own_names,
+            colour: None,
             line: Some(line),
             at: None,
         }

@@ -463,6 +463,9 @@ fn hidden_elements_and_own_names() {
     assert_eq!(drawing.root, ["root"]);
     let names: Vec<_> = drawing.elements.iter().map(|e| (e.layers.join(" "), e.own_names)).collect();
     assert_eq!(names, [("e fill #000000 l root".to_owned(), 2)]);
+    // The names of groups give a role before the colour does.
+    assert_eq!(drawing.elements[0].names().collect::<Vec<_>>(), ["e", "e", "l", "root", "fill #000000"]);
+    assert_eq!(drawing.elements[0].colour_name(), Some("fill #000000"));
 }
 
 /// The places of a hatch and of a polyline are points of theirs, not their heights.

@@ -159,9 +159,9 @@ fn lost_geometry_is_noted_with_its_layers() {
     };
     assert_eq!(found(Weight::Annotation), ["t"]);
     assert_eq!(found(Weight::Lost), ["i", "s", "u", "v", "f"]);
-    assert_eq!(found(Weight::Information), ["r", "z", "y"]);
+    assert_eq!(found(Weight::Information), ["r", "m", "z", "y"]);
     assert_eq!(found(Weight::Hidden), ["h"]);
-    assert_eq!(found(Weight::Changed), ["r", "m"]);
+    assert_eq!(found(Weight::Changed), ["r"]);
     assert_eq!(drawing.notes[0].place.layers, ["t", "notes"]);
     assert_eq!(drawing.elements.iter().map(|element| element.id.as_str()).collect::<Vec<_>>(), ["r", "m"]);
 }

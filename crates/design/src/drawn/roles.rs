@@ -81,6 +81,7 @@ pub(super) fn notes(drawing: &Artwork, spec: &DrawingSpec) -> Vec<String> {
     let mut notes: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
     let ignored = drawing.faults.iter().filter(|fault| faulty(fault, spec).is_none());
     notes.extend(ignored.map(|fault| format!("{}: {} Its layer is ignored.", fault.place, fault.text)));
+    notes.extend(overruled_colours(drawing, spec));
     let mut left_out: Vec<&Element> = points(drawing, spec).collect();
     left_out.extend(points_on_marks(drawing, spec));
     match left_out.len() {
@@ -91,6 +92,24 @@ pub(super) fn notes(drawing: &Artwork, spec: &DrawingSpec) -> Vec<String> {
         }
     }
     notes
+}
+
+/// The colours of an SVG that would give figures another role than their groups or their own names do, one note each.
+fn overruled_colours(drawing: &Artwork, spec: &DrawingSpec) -> Vec<String> {
+    let mut overruled: BTreeMap<(&str, &str), Vec<&Element>> = BTreeMap::new();
+    for element in &drawing.elements {
+        let Some((colour, colour_role)) = spec.entry(element.colour_name()) else { continue };
+        let Some((name, role)) = spec.entry(element.names()).filter(|(_, role)| role != colour_role) else {
+            continue;
+        };
+        if *role != LayerRole::Ignore {
+            overruled.entry((name, colour)).or_default().push(element);
+        }
+    }
+    let note = |((name, colour), elements): (&(&str, &str), &Vec<&Element>)| {
+        format!("{}: The role of {name:?} counts, not that of the colour {colour:?}.", listed(elements))
+    };
+    overruled.iter().map(note).collect()
 }
 
 /// The points of the file with the role of a curve, as sketches and sewing patterns have them. A curve without length is none.
@@ -244,7 +263,7 @@ fn lost_geometry(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
     }
     let remedy = match note.place.element {
         Some(_) if note.weight == Weight::Changed => {
-            "flatten it, or remove its clip, mask or marker, so that its outline alone shows what is to be made"
+            "flatten it, or remove its clip or mask, so that its outline alone shows what is to be made"
                 .to_owned()
         }
         Some(_) => format!("convert it to a path, remove it, or {}", to_ignore(&note.place)),
