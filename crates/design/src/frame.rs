@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use crate::cut::leaves_no_hole;
 use crate::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign, round_tube};
 use geom::Point;
-use spec::units::{Most, Readable};
+use spec::units::{Most, Readable, tenths_down, tenths_up};
 use spec::{FEWEST_POSTS, SMALLEST_HOLE, Spec, key};
 
 /// The frame, its axis at the origin and corner 1 of an unturned star on +X.
@@ -208,7 +208,8 @@ fn meets_hose(
         Some(count) => format!("make posts {count}, and {lined}"),
         None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),
     };
-    let (free, needed_room) = (Readable(free), Readable(needed_room));
+    // Rounded apart, so that the digits show the difference.
+    let (free, needed_room) = (Readable(tenths_down(free)), Readable(tenths_up(needed_room)));
     let fault = format!(
         "with {posts} posts one would be {free} mm from the middle of a hose that needs {needed_room} mm"
     );

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::{Refusal, RefusalCode};
 use geom::{Bounds, Isometry, Path, Point};
 use sealed::{PieceName, SealedShape};
-use spec::units::{Least, Length, Most, Readable, tenths_up};
+use spec::units::{Length, Readable, tenths_down, tenths_up};
 use spec::{Machine, SealingTool, Sheet, key};
 
 /// One sheet: its frame has the origin at the lower left.
@@ -209,14 +209,13 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     let short: Vec<_> = sides.into_iter().filter(|(_, _, needed, room)| needed > room).collect();
     let Some((key, ..)) = short.first() else { return Ok(()) };
     let faults = short.iter().map(|(_, word, needed, room)| {
-        if *room > 2.0 * ROUNDING {
-            format!("{} mm {word} where the margins leave {} mm", Least(*needed), Most(*room))
-        } else {
-            format!("{} mm {word} where the margins leave nothing", Least(*needed))
-        }
+        // Rounded apart, so that the digits show the difference.
+        let (needed, room) = (Readable(tenths_up(*needed)), tenths_down(*room));
+        let room = if room > 0.0 { format!("{} mm", Readable(room)) } else { "nothing".to_owned() };
+        format!("{needed} mm {word} where the margins leave {room}")
     });
     let remedy = short.iter().map(|(key, _, needed, _)| {
-        let smallest = Least(needed + 2.0 * sheet.margin.0);
+        let smallest = Readable(tenths_up(needed + 2.0 * sheet.margin.0));
         format!("`{}` at least {smallest} mm", key.key())
     });
     let fault = format!("a part is {}", faults.collect::<Vec<_>>().join(", and one is "));

@@ -10,7 +10,7 @@ mod si;
 use std::fmt;
 
 pub use geom::readable::Readable;
-pub use limits::{Least, Most, hundredths_down, tenths_up};
+pub use limits::{Least, Most, hundredths_down, tenths_down, tenths_up};
 
 /// A number of things: "1 finding", "91 findings".
 pub fn counted(number: usize, noun: &str) -> String {

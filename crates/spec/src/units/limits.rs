@@ -9,6 +9,11 @@ pub fn tenths_up(x: f64) -> f64 {
     (10.0 * x).ceil() / 10.0
 }
 
+/// `x`, rounded down to a tenth: less than [`tenths_up`] of any larger value.
+pub fn tenths_down(x: f64) -> f64 {
+    (10.0 * x).floor() / 10.0
+}
+
 /// `x`, rounded down to a hundredth: a largest value that is printed so holds.
 pub fn hundredths_down(x: f64) -> f64 {
     (x * 100.0).floor() / 100.0
