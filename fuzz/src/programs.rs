@@ -57,10 +57,12 @@ fn dialects() -> &'static [Dialect] {
 pub(super) fn resume(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let which = choices.byte();
-    let place = match choices.byte() % 3 {
+    let place = match choices.byte() % 4 {
         0 => ResumeAt::Line(choices.below(1 << 16)),
         1 => ResumeAt::Share(choices.share() * 0.999),
-        _ => ResumeAt::Near(Point::new(200.0 * choices.share(), 200.0 * choices.share())),
+        2 => ResumeAt::Near(Point::new(200.0 * choices.share(), 200.0 * choices.share())),
+        // Up to a day, and beyond the end of most jobs.
+        _ => ResumeAt::Time(86_400.0 * choices.share()),
     };
     let overlap = match choices.byte() {
         byte @ 1..64 => Some(f64::from(byte)),
