@@ -10,7 +10,7 @@ use crate::shell::result::{self, payload_mesh_error};
 use crate::warning::WarningCode;
 use inflatable::mechanics::hinge::Level;
 use spec::Spec;
-use spec::units::Readable;
+use spec::units::{Readable, tenths_up};
 use std::fmt::Write;
 
 /// Least 1/eps at which shells of a fabric soft in shear close less than isotropic ones (docs/weave.md).
@@ -197,11 +197,13 @@ fn grip_lines(page: &mut String, star: &StarPrediction) {
     let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", end(radius)));
     line(page, "flap's edge touches objects", edge);
     let force = star.flap_force_N.filter(|force| *force > 0.0).map(|force| {
-        let unknown = || format!("{} N", shown::rounded(force));
-        let force =
-            star.ranges.object_force_N.map_or_else(unknown, |range| shown::as_exact_as(force, range, "N"));
+        // The upper end, as in the verdict.
+        let largest = star
+            .ranges
+            .flap_force_N
+            .map_or_else(|| shown::rounded(force), |[_, most]| format!("{:.1}", tenths_up(most)));
         let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
-        format!("up to {force}{}", load.unwrap_or_default())
+        format!("up to {largest} N{}", load.unwrap_or_default())
     });
     line(page, "force if the flap holds", force);
     let bending = star.arm_wrinkling_kg.zip(star.arm_folding_kg);
