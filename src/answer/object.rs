@@ -306,7 +306,7 @@ impl Request {
         let choices =
             choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
                 // The nearest requirements are tested like the requested ones, so that they can really be met.
-                let near_requests: Vec<NearRequest> = nearest
+                let mut near_requests: Vec<NearRequest> = nearest
                     .into_iter()
                     .filter_map(|nearest| {
                         let mut base = base.clone();
@@ -323,15 +323,12 @@ impl Request {
                         })
                     })
                     .collect();
-                let (sure, doubtful): (Vec<_>, Vec<_>) =
-                    near_requests.into_iter().partition(|near| near.gripper.surely_holds());
+                // Those that certainly hold the object come first.
+                near_requests.sort_by_key(|request| !request.gripper.surely_holds());
                 let width = self.object.quantity;
                 let unit = (!USUAL_SIZES.contains(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));
-                NoGripper::Infeasible(
-                    unit.into_iter().chain(reasons).collect(),
-                    sure.into_iter().chain(doubtful).collect(),
-                )
+                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near_requests)
             })?;
         gripper_of(&choices, base).map_err(|refusals| {
             let reasons: Vec<String> =

@@ -66,7 +66,7 @@ fn can_be_had(dir: &Path, said: &str, asked: &str) {
         let command: Vec<&str> = command.iter().map(String::as_str).collect();
         let output = run(dir, &command);
         assert_eq!(output.status.code(), Some(0), "{asked}: {said}: {}", text(&output.stderr));
-        let expected = if is_certain { "holds the object" } else { "may hold the object" };
+        let expected = if is_certain { "wish: holds the object" } else { "wish: may hold the object" };
         assert!(text(&output.stdout).starts_with(expected), "{asked}: {said}: {}", text(&output.stdout));
         let check = run(dir, &["check", "wish.toml"]);
         assert_eq!(check.status.code(), Some(0), "{asked}: {said}: {}", text(&check.stderr));

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::{Refusal, RefusalCode};
 use geom::{Bounds, Isometry, Path, Point};
 use sealed::{PieceName, SealedShape};
-use spec::units::{Length, Readable, tenths_down, tenths_up};
+use spec::units::{Least, Length, Readable, tenths_down, tenths_up};
 use spec::{Machine, SealingTool, Sheet, key};
 
 /// One sheet: its frame has the origin at the lower left.
@@ -215,7 +215,7 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
         format!("{needed} mm {word} where the margins leave {room}")
     });
     let remedy = short.iter().map(|(key, _, needed, _)| {
-        let smallest = Readable(tenths_up(needed + 2.0 * sheet.margin.0));
+        let smallest = Least(needed + 2.0 * sheet.margin.0);
         format!("`{}` at least {smallest} mm", key.key())
     });
     let fault = format!("a part is {}", faults.collect::<Vec<_>>().join(", and one is "));
