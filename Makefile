@@ -29,7 +29,7 @@ TARGET ?=
 dist:
 	packaging/dist $(TARGET)
 
-# A release (docs/install.md, "For packagers"): all archives, packages, wheels, SBOM and sums in target/dist, five minutes of a processor each. It installs
+# A release (docs/packaging.md): all archives, packages, wheels, SBOM and sums in target/dist, five minutes of a processor each. It installs
 # its tools: Debian's packages by apt-get, wheels, crates, standard libraries. `release-check` uses them all, in minutes; `release-twice` builds the
 # archives again elsewhere as another user, or that of TARGET alone, and compares them.
 release:

@@ -14,7 +14,7 @@ use crate::pipeline::{Forecast, Precaution};
 use design::PressPlan;
 use spec::Code;
 
-pub use duration::{hours, sealing_in_words, sealing_time};
+pub use duration::{hours, processes_in_words, sealing_in_words, sealing_time};
 
 /// The overview as JSON, without the time of day.
 pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {

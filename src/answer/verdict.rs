@@ -118,8 +118,8 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
         rows.push(("bursts", format!("at {}{times}", with_limit(burst, range, "kPa", limit))));
     }
     if let Some(first) = &prediction.bursts_first {
-        let at = with_limit(first.pressure_kPa, first.range, "kPa", None);
-        rows.push(("opens", format!("{} first (process {}), at {at}", first.seam, first.process)));
+        let pressure = with_limit(first.pressure_kPa, first.range, "kPa", None);
+        rows.push(("opens", format!("{} first (process {}), at {pressure}", first.seam, first.process)));
     }
     rows
 }

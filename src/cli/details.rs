@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::airtight;
-use crate::answer::{hours, sealing_in_words};
+use crate::answer::{hours, processes_in_words, sealing_in_words};
 use crate::cli::words::beyond;
 use crate::pipeline::{Forecast, Proven};
 use design::{COATING_ASSUMES, Design, DrawnPiece, DrawnPieces, FlatPiece, Plate, StarAssembly, StarDesign};
@@ -69,7 +69,9 @@ fn design(forecast: &Forecast) -> String {
     }
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
-    let _ = writeln!(text, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
+    let process = processes_in_words(programs)
+        .map_or_else(|| format!(" at {}", spec.seal.speed), |processes| format!(": {processes}"));
+    let _ = writeln!(text, "in total {length:.1} mm of seam, {}{process}", hours(time));
     text
 }
 

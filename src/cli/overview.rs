@@ -10,7 +10,7 @@ use jiff::{SignedDuration, Timestamp, Zoned};
 use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
-use crate::answer::{hours, overview_json, sealing_in_words, sealing_time, verdict};
+use crate::answer::{hours, overview_json, processes_in_words, sealing_in_words, sealing_time, verdict};
 use crate::cli::details;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
@@ -156,8 +156,12 @@ fn work(forecast: &Forecast, start: Option<&Zoned>) -> Vec<OverviewRow> {
         None => String::new(),
     };
     let sheets = format!("{number} of {}{area}", forecast.sheet_sizes());
-    let seal = format!("{} at {}{}", hours(seconds), forecast.spec.seal.speed, end.unwrap_or_default());
-    vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
+    let processes = processes_in_words(&forecast.programs);
+    let speed = if processes.is_some() { String::new() } else { format!(" at {}", forecast.spec.seal.speed) };
+    let mut rows = vec![("sealing", format!("{}{speed}{}", hours(seconds), end.unwrap_or_default()))];
+    rows.extend(processes.map(|processes| ("processes", processes)));
+    rows.push((if number == 1 { "sheet" } else { "sheets" }, sheets));
+    rows
 }
 
 /// The settings of a press, its sheets of fabric, and the paper for separators.

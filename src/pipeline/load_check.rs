@@ -236,7 +236,7 @@ mod tests {
     fn a_pressure_above_burst_is_refused_with_a_radius_that_would_hold() {
         let with_strength = |strength: &str, radius: &str| {
             let text = starter("x").expect("a name");
-            let text = text.replace("[fabric]", &format!("[fabric]\nseal_strength = \"{strength}\""));
+            let text = text.replace("\n[fabric]\n", &format!("\n[fabric]\nseal_strength = \"{strength}\"\n"));
             let text = text.replace(
                 "\n[star]\n",
                 &format!("\n[star]\ntip_radius = \"{radius}\"\ncorner_radius = \"{radius}\"\n"),

@@ -56,20 +56,60 @@ fn is_weak(process: &SealProcess) -> bool {
 fn weakest(processes: &[SealProcess]) -> Option<(&SealProcess, LineForce)> {
     let strengths: Vec<(&SealProcess, LineForce)> =
         processes.iter().map(|process| Some((process, process.strength?))).collect::<Option<_>>()?;
-    let least = strengths.iter().copied().min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-    strengths.iter().any(|(_, strength)| *strength != least.1).then_some(least)
+    let lowest = strengths.iter().copied().min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    strengths.iter().any(|(_, strength)| *strength != lowest.1).then_some(lowest)
 }
 
 /// The warning that a process whose name says that it is weak is as strong as another.
 fn stronger_than_others(weak: &SealProcess, processes: &[SealProcess]) -> Option<String> {
-    let own = weak.strength?;
+    let peel = weak.strength?;
     let other = processes.iter().find(|other| {
-        other.name != weak.name && other.strength.is_some_and(|strength| strength.0 <= own.0)
+        other.name != weak.name && other.strength.is_some_and(|strength| strength.0 <= peel.0)
     })?;
     let strength = other.strength?;
     Some(format!(
-        "process {} has a strength of {own}, and process {} has {strength}: its seams are not the first to open; \
+        "process {} has a strength of {peel}, and process {} has {strength}: its seams are not the first to open; \
          write a lower `strength` in [process.{}] if a peel test shows one",
         weak.name, other.name, weak.name
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use spec::{Machine, Source, read};
+
+    /// The notes on a star whose loops have processes of these strengths, N/mm.
+    fn texts(name: &str, [inner, outer]: [f64; 2]) -> Vec<String> {
+        let text = format!(
+            "schema = 1\nname = \"x\"\n[fabric]\nseal_strength = \"{outer} N/mm\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\n\
+             tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\ninner_process = \"{name}\"\n[process.{name}]\nstrength = \"{inner} N/mm\"\n"
+        );
+        let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
+        let forecast = Forecast::of(reading.spec, Machine::builtin("generic").expect("built in"));
+        let notes = weak_processes(&forecast.expect("a design"));
+        notes.into_iter().map(|note| note.text).collect()
+    }
+
+    #[test]
+    fn a_weak_seam_that_is_as_strong_as_another_is_warned_of() {
+        for name in ["weak", "weak-tip", "tear", "peel2"] {
+            for strengths in [[2.0, 1.0], [1.0, 1.0]] {
+                let notes = texts(name, strengths);
+                let text = notes.first().expect("a warning");
+                let [inner, outer] = strengths;
+                assert!(
+                    text.starts_with(&format!("process {name} has a strength of {inner} N/mm, and process seal has {outer} N/mm: its seams are not the first to open")),
+                    "{text}"
+                );
+            }
+        }
+        let [text] = &texts("weak", [0.5, 1.0])[..] else { panic!("one note") };
+        assert!(
+            text.starts_with("process weak is the weakest, 0.5 N/mm: its seams open first unless"),
+            "{text}"
+        );
+        // A process that is not to open first may be as strong as it likes.
+        assert_eq!(texts("strong", [1.0, 1.0]), [""; 0]);
+    }
 }

@@ -136,7 +136,7 @@ function showSeam(move) {
   document.querySelectorAll("#seams tbody tr").forEach((row, i) => row.classList.toggle("on", i + 1 === seam.order));
   at("seam-says").replaceChildren(
     make("b", {}, `Seam ${seam.order}: ${seamName(seam)}`),
-    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}${seam.overlap_mm > 0 ? `, of which ${figure(seam.overlap_mm, "mm")} twice` : ""}`),
+    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${speedOf(seam)}${seam.overlap_mm > 0 ? `, of which ${figure(seam.overlap_mm, "mm")} twice` : ""}`),
     KIND === "star" ? make("span", {}, `Load on the seal: ${loadSays(seam.load)}`) : "",
   );
 }
@@ -175,6 +175,8 @@ function along(move, share) {
 const DOING = {
   height: "The iron moves up or down.",
   heat: "The iron heats up; the machine waits for you.",
+  pause: "The machine waits for you.",
+  cool: "The seam cools.",
   travel: "The iron travels above the fabric.",
   down: "The iron goes down along the seam.",
   seal: "The iron seals.",
@@ -401,7 +403,7 @@ function seamTable() {
       goTo(seam.start);
       show();
     });
-    const row = [go, String(seam.star), seam.loop, figure(seam.length_mm, "mm", 4), figure(seam.overlap_mm, "mm"), hours(seam.time_s), data.seal.speed];
+    const row = [go, String(seam.star), seam.loop, figure(seam.length_mm, "mm", 4), figure(seam.overlap_mm, "mm"), hours(seam.time_s), speedOf(seam)];
     return KIND === "star" ? [...row, loadSays(seam.load)] : row;
   });
   const head = ["Order", "Piece", "Seam", "Length", "Twice", "Time", "Speed"];

@@ -24,7 +24,7 @@ function showBill() {
     const pieces = mask.pieces && mask.pieces.length > 1 ? `, printed in ${mask.pieces.length} pieces` : "";
     row(`Mask for ${stars(mask.stars)}`, 1, `${figure(mask.area_mm2 / 100, "cm²")}`, `${figure(mask.volume_mm3 / 1000, "cm³")} if printed${pieces}; coating ${span(mask.coating_um, "µm")} thick`);
   }
-  row("Seam", data.programs.reduce((sum, one) => sum + one.seams.length, 0), figure(totalSeam() / 1000, "m", 4), `${hours(totalTime())} at ${seal.speed}, ${seal.temperature}`);
+  row("Seam", data.programs.reduce((sum, one) => sum + one.seams.length, 0), figure(totalSeam() / 1000, "m", 4), data.processes ? `${hours(totalTime())} at ${sealedAt()}` : `${hours(totalTime())} at ${seal.speed}, ${seal.temperature}`);
   table("parts", ["What", "Number", "Size", "Note"], rows);
 }
 
@@ -115,7 +115,7 @@ function sayings() {
     "check-time": Number.isFinite(speed) && speed > 0 && seal.speed.includes("mm/s") ? `${number(10 / speed)} s` : "10 mm over the seal's speed",
     requires: machine.requires.join("; "),
     sheets: listed(data.sheets.map((sheet) => `${figure(sheet.width_mm, "mm", 4)} × ${figure(sheet.height_mm, "mm", 4)}`)),
-    temperature: `${seal.temperature}${machine.heats_itself ? ", set by the program" : ", set by hand"}`,
+    temperature: `${data.processes ? data.processes.map((other) => `${other.temperature} (${other.name})`).join(", then ") : seal.temperature}${machine.heats_itself ? ", set by the program" : ", set by hand"}`,
     "job-time": hours(totalTime()),
     "hole-flap": flap ? flap.value : "",
     hose: hose ? figure(hose.diameter_mm, "mm") : "",

@@ -11,7 +11,7 @@ function showHead() {
     KIND === "star" ? `${several(pieces, "star")} of ${listed(points)} points` : `${several(pieces, "piece")} by a drawing`,
     load && load.pressure_kPa ? `at ${figure(load.pressure_kPa, "kPa")}` : null,
     `${figure(totalSeam() / 1000, "m")} of seam in ${hours(totalTime())}`,
-    `sealed at ${data.seal.temperature} and ${data.seal.speed}`,
+    `sealed at ${sealedAt()}`,
     `machine: ${data.machine.name}`,
   ];
   at("summary").textContent = words.filter(Boolean).join(" · ");

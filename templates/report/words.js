@@ -96,6 +96,19 @@ function objectOf(which) {
   return (own === undefined || own === null ? data.load.object_radius_mm : own) || null;
 }
 
+/** Temperature and speed of sealing; of several processes each, in the order of sealing. */
+function sealedAt() {
+  const { processes, seal } = data;
+  if (!processes) return `${seal.temperature} and ${seal.speed}`;
+  return processes.map((other) => `${other.temperature} and ${other.speed} (${other.name}, ${hours(other.time_s)})`).join(", then ");
+}
+
+/** The speed of a seam. */
+function speedOf(seam) {
+  const process = (data.processes || []).find((other) => other.name === seam.process);
+  return process ? `${process.speed} (${process.name})` : data.seal.speed;
+}
+
 /** What a seam is called, with its piece. */
 function seamName(seam) {
   return KIND === "star" ? `${seam.loop} loop of star ${seam.star}` : `${seam.loop || "seam"} of piece ${seam.star}`;

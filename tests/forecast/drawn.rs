@@ -270,3 +270,35 @@ fn chambers_that_share_a_band_are_warned_of() {
     let warnings = &found.evidence.warnings;
     assert!(warnings.iter().any(|warning| warning.text.starts_with("chambers share a band")), "{warnings:?}");
 }
+
+/// Two long tubes on both sides of a wall. In the middle of the wall air pulls at each side of it with p W / pi, as at any tube of width W:
+/// 19 mm beside a wall of 2 mm in a pouch of 40 mm. Ends pull harder. So a weak wall opens first, and not above pi S / W; a wall that is
+/// hardly weaker than the rim does not, since the rim's ends pull twice as hard.
+#[test]
+fn a_weak_wall_opens_first_below_the_pressure_of_a_tube() {
+    let predictions = [["0.5", "2"], ["1", "1.05"]].map(|[wall, rim]| {
+        let text = format!(
+            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"], seam = [\"s\"], port = [\"p\"] }}\n\
+             process = {{ weak = [\"s\"] }}\n[process.weak]\nstrength = \"{wall} N/mm\"\n[fabric]\n\
+             seal_strength = \"{rim} N/mm\"\n[inlet]\ntube_diameter = \"3 mm\"\n[load]\npressure = \"30 kPa\"\n"
+        );
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"80mm\" viewBox=\"0 0 140 80\"><g id=\"a\">\
+            <rect id=\"r\" x=\"20\" y=\"20\" width=\"100\" height=\"40\"/></g><g id=\"s\"><path id=\"wall\" d=\"M20 40H120\"/></g>\
+            <g id=\"p\"><path id=\"q\" d=\"M15 30H25\"/><path id=\"q2\" d=\"M15 50H25\"/></g></svg>";
+        coarse(&of_text(&text, svg.as_bytes())).prediction
+    });
+    let seams = predictions[0].chambers.iter().flat_map(|chamber| chamber.seams.iter().flatten());
+    let along = seams.filter(|seam| seam.seam == "wall").flat_map(|seam| &seam.along);
+    let middle: Vec<f64> = along.filter(|row| (60.0..80.0).contains(&row[0])).map(|row| row[2]).collect();
+    let tube = 0.03 * 19.0 / std::f64::consts::PI;
+    assert!(
+        middle.len() > 3 && middle.iter().all(|pull| (1.0..1.2).contains(&(pull / tube))),
+        "{middle:?} {tube}"
+    );
+    let [weak, strong] = predictions.map(|prediction| prediction.bursts_first.expect("known strengths"));
+    assert_eq!((weak.seam.as_str(), weak.process.as_str()), ("wall", "weak"));
+    let highest = 30.0 * 0.5 / tube;
+    assert!((0.6 * highest..highest).contains(&weak.pressure_kPa), "{weak:?} {highest}");
+    assert_eq!(strong.process, "seal");
+    assert!(strong.pressure_kPa < 30.0 * 1.0 / tube, "{strong:?}");
+}

@@ -61,7 +61,7 @@ struct Contact {
 }
 
 impl Contact {
-    /// Its way at the lowest height.
+    /// The way at the lowest height.
     fn run(&self) -> Path {
         let low = |step: &&Move| step.from.z.max(step.to.z) < self.low + 1e-6;
         Path::open(self.moves.iter().filter(low).filter_map(|step| step.path).collect())

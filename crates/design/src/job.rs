@@ -11,8 +11,8 @@ use spec::{SealPause, SealProcess, Spec};
 
 /// One contact of the iron with the fabric.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contact {
-    /// Its way, with the name of the seam.
+pub struct SealContact {
+    /// The way of the iron, with the name of the seam.
     pub laid: LaidSeam,
     /// The place of its process in [`SealJob::processes`].
     pub process: usize,
@@ -37,7 +37,7 @@ pub struct SealJob {
     /// The processes of its contacts, in the order of their first contacts.
     pub processes: Vec<SealProcess>,
     /// The contacts in the order of sealing.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<SealContact>,
 }
 
 impl SealJob {
@@ -70,8 +70,8 @@ impl SealJob {
     /// Adds the contacts of one seam of `piece`.
     fn add(&mut self, process: SealProcess, lines: &[Seam], piece: &PlacedPiece<'_>, ramp: f64) {
         let passes = process.seal.passes;
-        let known = self.processes.iter().position(|own| own.name == process.name);
-        let index = known.unwrap_or_else(|| {
+        let place = self.processes.iter().position(|other| other.name == process.name);
+        let index = place.unwrap_or_else(|| {
             self.processes.push(process);
             self.processes.len() - 1
         });
@@ -82,7 +82,7 @@ impl SealJob {
                 .then(|| laid(&Seam { center_line: seam.center_line.reversed(), ..seam.clone() }));
             for pass in 1..=passes {
                 let way = back.as_ref().filter(|_| pass % 2 == 0).unwrap_or(&forward);
-                self.contacts.push(Contact { laid: way.clone(), process: index, line, pass });
+                self.contacts.push(SealContact { laid: way.clone(), process: index, line, pass });
             }
         }
     }
@@ -96,8 +96,8 @@ impl SealJob {
         });
         let mut order: Vec<usize> = Vec::new();
         for contact in &mut contacts {
-            let known = order.iter().position(|own| *own == contact.process);
-            contact.process = known.unwrap_or_else(|| {
+            let place = order.iter().position(|process| *process == contact.process);
+            contact.process = place.unwrap_or_else(|| {
                 order.push(contact.process);
                 order.len() - 1
             });
@@ -131,7 +131,7 @@ impl SealJob {
     }
 
     /// The process of `contact`.
-    pub fn process(&self, contact: &Contact) -> &SealProcess {
+    pub fn process(&self, contact: &SealContact) -> &SealProcess {
         &self.processes[contact.process]
     }
 

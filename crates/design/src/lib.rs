@@ -56,7 +56,7 @@ pub use drawn::{
 pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, opening, shut_reach};
 pub use inlet::Channel;
-pub use job::{Contact, SealJob, SealStop};
+pub use job::{SealContact, SealJob, SealStop};
 pub use lettering::lettered;
 pub use mask::{COATING_ASSUMES, MaskPlate};
 pub use mask_tiles::{MaskTile, MaskTiles};

@@ -139,6 +139,12 @@ fn refuse_iron(reader: &mut Reader<'_>) {
         ("seal", "temperature", "write `temperature` in [press]"),
         ("seal", "speed", "a press seals all bands at once: write `time` in [press]"),
         ("seal", "overlap", "a press has no path that could overlap: delete it"),
+        ("seal", "height", "a press has no tip: write `pressure` in [press]"),
+        ("seal", "tip", "a press has no tip: delete it"),
+        ("seal", "lines", "a press seals the whole width of a band: delete it"),
+        ("seal", "passes", "a press seals all bands at once: write `time` in [press]"),
+        ("seal", "cool", "a press seals all bands at once: delete it"),
+        ("seal", "pause", "a press seals all bands at once: delete it"),
         ("machine", "program", "a press runs no programs: delete it"),
         ("machine", "feed_floor", "a press runs no programs: delete it"),
     ];

@@ -13,7 +13,7 @@ use crate::model::{
     ProgramScope, Sheet, Spec,
 };
 use crate::raw::RawSpec;
-use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength};
+use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength, refuse_processes};
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
@@ -136,6 +136,9 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let cut = read_cut(&mut reader.section("cut"));
     let machine = read_choice(&mut reader.section("machine"));
     let press = press::read(reader, &machine.profile);
+    if press.is_some() {
+        refuse_processes(reader);
+    }
     let spec = Spec {
         name,
         fabric,

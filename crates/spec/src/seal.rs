@@ -171,20 +171,22 @@ impl Spec {
     /// The process called `name`; that of `[seal]` where no other has the name.
     pub fn process(&self, name: &str) -> SealProcess {
         let default = self.default_process();
-        let Some(own) = self.processes.iter().find(|process| process.name == name) else { return default };
+        let Some(process) = self.processes.iter().find(|process| process.name == name) else {
+            return default;
+        };
         let base = default.seal;
         SealProcess {
-            name: own.name.clone(),
-            strength: own.strength.or(default.strength),
+            name: process.name.clone(),
+            strength: process.strength.or(default.strength),
             seal: Seal {
-                temperature: own.temperature.unwrap_or(base.temperature),
-                speed: own.speed.unwrap_or(base.speed),
-                overlap: own.overlap.unwrap_or(base.overlap),
-                height: own.height.or(base.height),
-                passes: own.passes.unwrap_or(base.passes),
-                lines: own.lines.or(base.lines),
-                cool: own.cool.unwrap_or(base.cool),
-                pause: own.pause.unwrap_or(base.pause),
+                temperature: process.temperature.unwrap_or(base.temperature),
+                speed: process.speed.unwrap_or(base.speed),
+                overlap: process.overlap.unwrap_or(base.overlap),
+                height: process.height.or(base.height),
+                passes: process.passes.unwrap_or(base.passes),
+                lines: process.lines.or(base.lines),
+                cool: process.cool.unwrap_or(base.cool),
+                pause: process.pause.unwrap_or(base.pause),
                 ..base
             },
         }
@@ -357,24 +359,40 @@ fn check_lines(s: &mut Section<'_, '_>, seal: &Seal) {
     }
 }
 
-/// A use of a process: the name, and its span.
-struct ProcessUse<'r> {
+/// A place of the text that names a process.
+struct ProcessPlace<'r> {
     name: &'r str,
     span: Range<usize>,
 }
 
+/// Reports every place of the text that writes a process or uses one: a press has one temperature for all bands. The process of
+/// `[seal]` is no other.
+pub(super) fn refuse_processes(reader: &mut Reader<'_>) {
+    let table = reader.raw.root().get(SECTION).and_then(RawValue::as_table);
+    let sections = table.into_iter().flat_map(|table| &table.0);
+    let sections = sections.map(|entry| ProcessPlace { name: &entry.key, span: entry.key_span.clone() });
+    let uses = process_uses(reader.raw).into_iter().filter(|place| place.name != DEFAULT_PROCESS);
+    for ProcessPlace { name, span } in sections.chain(uses).collect::<Vec<_>>() {
+        let message = format!("the process {} beside a heat press", quoted(name));
+        let fault = Fault::error(FaultCode::Conflict, span, message);
+        reader.faults.push(fault.label("a press seals all bands at once, at one temperature").help(
+            "delete it, and every use of it; or write the profile of a machine with an iron in [machine]",
+        ));
+    }
+}
+
 /// Every use of a process in the text: loops of stars, and the keys of `[drawing.process]`.
-fn process_uses(raw: &RawSpec) -> Vec<ProcessUse<'_>> {
+fn process_uses(raw: &RawSpec) -> Vec<ProcessPlace<'_>> {
     let star = raw.root().get("star").and_then(RawValue::as_table);
     let stars = star.into_iter().chain(raw.overrides().iter().filter_map(RawValue::as_table));
     let loops = stars.flat_map(|table| ["inner_process", "outer_process"].map(|key| table.get(key)));
     let loops = loops
         .flatten()
-        .filter_map(|value| Some(ProcessUse { name: value.as_text()?, span: value.span.clone() }));
+        .filter_map(|value| Some(ProcessPlace { name: value.as_text()?, span: value.span.clone() }));
     let drawing = raw.root().get("drawing").and_then(RawValue::as_table);
     let seams = drawing.and_then(|table| table.get(SECTION)).and_then(RawValue::as_table);
     let seams = seams.into_iter().flat_map(|table| &table.0);
-    loops.chain(seams.map(|entry| ProcessUse { name: &entry.key, span: entry.key_span.clone() })).collect()
+    loops.chain(seams.map(|entry| ProcessPlace { name: &entry.key, span: entry.key_span.clone() })).collect()
 }
 
 /// Reports uses of processes that do not exist, and processes that nothing uses.
@@ -382,7 +400,7 @@ pub(super) fn check_uses(reader: &mut Reader<'_>, processes: &[ProcessSpec]) {
     let uses = process_uses(reader.raw);
     let names: Vec<&str> =
         processes.iter().map(|process| process.name.as_str()).chain([DEFAULT_PROCESS]).collect();
-    for ProcessUse { name, span } in uses.iter().filter(|used| !names.contains(&used.name)) {
+    for ProcessPlace { name, span } in uses.iter().filter(|place| !names.contains(&place.name)) {
         let fault = Fault::error(
             FaultCode::UnknownProcess,
             span.clone(),
@@ -394,10 +412,14 @@ pub(super) fn check_uses(reader: &mut Reader<'_>, processes: &[ProcessSpec]) {
         };
         reader.faults.push(fault.label("must be the name of a section [process.NAME], or seal").help(help));
     }
+    if uses.iter().any(|place| !names.contains(&place.name)) {
+        // A misspelt use may be that of a process without one.
+        return;
+    }
     let table = reader.raw.root().get(SECTION).and_then(RawValue::as_table);
     for entry in table.into_iter().flat_map(|table| &table.0) {
         let is_process = processes.iter().any(|process| process.name == entry.key);
-        if is_process && uses.iter().all(|used| used.name != entry.key.as_str()) {
+        if is_process && uses.iter().all(|place| place.name != entry.key.as_str()) {
             let message = format!("no seam uses the process {}", quoted(&entry.key));
             let fault = Fault::warning(FaultCode::NoEffect, entry.key_span.clone(), message)
                 .label("a process counts where a seam names it")
@@ -510,12 +532,35 @@ mod tests {
         assert_eq!(codes, ["out-of-range", "ptfe", "no-effect"], "{text}");
     }
 
+    /// A press has one temperature and one time for all bands; the process of [seal] is no other.
+    #[test]
+    fn a_press_has_no_processes() {
+        let press = "[machine]\nprofile = \"press\"\n";
+        let (codes, text) = faults(&format!("outer_process = \"weak\"\n{press}[process.weak]\n"));
+        assert_eq!(codes, ["conflict", "conflict"], "{text}");
+        assert!(text.contains("a press seals all bands at once, at one temperature"), "{text}");
+        for key in [
+            "height = \"-0.1 mm\"",
+            "tip = \"1 mm\"",
+            "lines = 1",
+            "passes = 2",
+            "cool = \"1 s\"",
+            "pause = \"seam\"",
+        ] {
+            let (codes, text) = faults(&format!("{press}[seal]\n{key}\n"));
+            assert_eq!(codes, ["conflict"], "{key}: {text}");
+        }
+        let (codes, text) =
+            faults(&format!("inner_process = \"seal\"\n{press}[seal]\nstrength = \"2 N/mm\"\n"));
+        assert!(codes.is_empty(), "{text}");
+    }
+
     #[test]
     fn a_layer_has_one_process() {
         let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\n[drawing.process]\n\
                     weak = [\"a\", \"b\"]\nstrong = [\"a\", 3]\nnone = \"a\"\n[process.weak]\n[process.strong]\n";
         let faults = read(&Source::new("x", text)).expect_err("four faults");
         let codes: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
-        assert_eq!(codes, ["wrong-type", "wrong-type", "conflict", "unknown-process"], "{faults}");
+        assert_eq!(codes, ["conflict", "wrong-type", "unknown-process", "wrong-type"], "{faults}");
     }
 }

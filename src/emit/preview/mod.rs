@@ -84,7 +84,7 @@ impl Preview<'_> {
         for placed in &pieces {
             let part = self.design.part(placed);
             keep_off_piece(&mut places, part, placed, self.machine.process.ramp.0);
-            groups.push(piece_group(part, placed, style));
+            groups.push(piece_group(self.spec, part, placed, style));
         }
         let mut starts = Vec::new();
         for program in self.programs.iter().filter(|program| program.sheet == layout.index) {

@@ -2,12 +2,13 @@
 
 use crate::emit::picture::{Group, Pen};
 use crate::emit::preview::place::Places;
-use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TUBE, circle};
+use crate::emit::preview::style::{CUT, FABRIC, LABEL, PAGE, Style, TUBE, band_ink, circle};
 use design::{CutEdge, FlatPiece, PlacedPart};
 use geom::Path;
+use spec::Spec;
 
 /// Fabric, tube, bands and edges of one piece.
-pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style) -> Group {
+pub(super) fn piece_group(spec: &Spec, part: FlatPiece<'_>, placed: &PlacedPart, style: Style) -> Group {
     let place = |path: &Path| placed.placement.path(path);
     let mut group = Group::new(format!("{}-{}", placed.kind, placed.index));
     let (shape, lines) = (part.shape(), part.cut(CutEdge::Part));
@@ -15,8 +16,8 @@ pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style
     group.area(cut.clone(), FABRIC);
     // The outermost edge first, the edges inside it after.
     group.area(part.tube().iter().rev().map(place).collect(), TUBE);
-    for seam in &shape.seams {
-        group.line(place(&seam.center_line), Pen::new(BAND, shape.band));
+    for (seam, lines) in shape.seams.iter().zip(part.seam_lines()) {
+        group.line(place(&seam.center_line), Pen::new(band_ink(spec, &lines.process), shape.band));
     }
     // As drawn, where a round iron cannot follow: in the cusps.
     let thin = (1.2 / style.unit * shape.band).min(1.0);

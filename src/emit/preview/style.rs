@@ -2,6 +2,7 @@
 
 use crate::emit::picture::{Colour, Pen};
 use geom::{Arc, Line, Path, Point, Vec2};
+use spec::Spec;
 
 pub(super) const PAGE: Colour = Colour(0xff, 0xff, 0xff);
 pub(super) const SHEET: Colour = Colour(0xf7, 0xf7, 0xf4);
@@ -25,6 +26,22 @@ pub(super) const WORK_AREA: Colour = Colour(0x00, 0x80, 0x80);
 pub(super) const CLAMP: Colour = Colour(0x8a, 0x4b, 0x1f);
 pub(super) const CLAMP_AREA: Colour = Colour(0xea, 0xd9, 0xcb);
 pub(super) const OBJECT: Colour = Colour(0xf3, 0xdd, 0xb4);
+
+/// Colours of the bands of processes beside that of `[seal]`, over and over.
+const PROCESSES: [Colour; 6] = [
+    Colour(0x2e, 0x9e, 0x6b),
+    Colour(0xb0, 0x5c, 0xc8),
+    Colour(0xd9, 0x5f, 0x6f),
+    Colour(0x8a, 0x8f, 0x2a),
+    Colour(0x3f, 0x8f, 0xd0),
+    Colour(0x7a, 0x5a, 0x3c),
+];
+
+/// The colour of bands that are sealed by the process `name` of `spec`.
+pub(super) fn band_ink(spec: &Spec, name: &str) -> Colour {
+    let index = spec.processes.iter().position(|process| process.name == name);
+    index.map_or(BAND, |index| PROCESSES[index % PROCESSES.len()])
+}
 
 /// Colours of the stars from bottom to top, over and over.
 const STARS: [Colour; 8] = [

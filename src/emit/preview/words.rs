@@ -4,7 +4,7 @@ use crate::emit::picture::Pen;
 use crate::emit::preview::block::{Block, Swatch};
 use crate::emit::preview::stack::listed;
 use crate::emit::preview::style::{
-    BAND, CLAMP_AREA, CUT, FABRIC, GREY, IRON, LABEL, OBJECT, RAMP, START, Style, TUBE, TWICE, WORK_AREA,
+    CLAMP_AREA, CUT, FABRIC, GREY, IRON, LABEL, OBJECT, RAMP, START, Style, TUBE, TWICE, WORK_AREA, band_ink,
     star_ink,
 };
 use crate::emit::preview::subject::Preview;
@@ -61,6 +61,19 @@ fn processes(preview: &Preview<'_>, sheet: usize) -> Vec<SealProcess> {
         }
     }
     processes
+}
+
+/// The names of the processes of all seams on `sheet`, each once, in the order of the seams.
+fn band_processes<'a>(preview: &Preview<'a>, sheet: usize) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for placed in preview.design.on_sheet(sheet) {
+        for seam in preview.design.part(placed).seam_lines() {
+            if !names.contains(&seam.process.as_str()) {
+                names.push(&seam.process);
+            }
+        }
+    }
+    names
 }
 
 /// Passes, lines and waits of a process in words.
@@ -155,7 +168,12 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     let mut block = Block::new("On the sheet");
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
-    block.explain(Swatch::Line(Pen::new(BAND, 0.5 * style.unit)), "sealed band");
+    let names = band_processes(preview, sheet);
+    for name in &names {
+        let ink = band_ink(preview.spec, name);
+        let process = if names.len() > 1 { format!(", process {name}") } else { String::new() };
+        block.explain(Swatch::Line(Pen::new(ink, 0.5 * style.unit)), format!("sealed band{process}"));
+    }
     let mut seams =
         preview.programs.iter().filter(|program| program.sheet == sheet).flat_map(|program| &program.seams);
     if seams.any(|seam| seam.overlap > 0.0) {

@@ -12,6 +12,7 @@ use forecast::pose::{Pose, PosedStar};
 use forecast::prediction::{Prediction, Verdict};
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
+use program::plan::process_times;
 use spec::{Heating, Machine, Setting, Source, drawing_settings, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
@@ -68,6 +69,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "programs": programs(report),
         "charts": report.charts.iter().map(|charts| short(&json!(charts))).collect::<Vec<_>>(),
     });
+    data["processes"] = processes(report);
     // Only a drawing's page has these.
     if design.drawn().is_some() {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
@@ -79,6 +81,20 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         data["seal"]["speed"] = json!(press.pressure_in_bar());
     }
     data
+}
+
+/// The processes in the order of sealing; null where every seam is sealed once by that of [seal].
+fn processes(report: &Report<'_>) -> Value {
+    let processes: Vec<Value> = process_times(report.programs)
+        .into_iter()
+        .map(|time| {
+            json!({
+                "name": time.process.name, "temperature": time.process.seal.temperature.to_string(),
+                "speed": time.process.seal.speed.to_string(), "time_s": thousandths(time.seconds),
+            })
+        })
+        .collect();
+    if processes.is_empty() { Value::Null } else { json!(processes) }
 }
 
 /// The distinct stars.

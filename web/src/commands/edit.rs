@@ -39,9 +39,9 @@ pub(super) fn role(question: &Value) -> Result<Value, Value> {
         None => layers.push((layer.to_owned(), role)),
     }
     let lists = LayerRole::ALL.iter().filter_map(|(word, role)| {
-        let names = layers.iter().filter(|(_, own)| own == role).map(|(name, _)| name.as_str());
-        let names: Vec<&str> = names.collect();
-        (!names.is_empty()).then(|| format!("{word} = {}", json!(names)))
+        let names = layers.iter().filter(|(_, own)| own == role).map(|(name, _)| json!(name).to_string());
+        let names: Vec<String> = names.collect();
+        (!names.is_empty()).then(|| format!("{word} = [{}]", names.join(", ")))
     });
     let value = format!("{{ {} }}", lists.collect::<Vec<_>>().join(", "));
     let edited = text_edit::edited(&spec_source, &[(key::drawing::LAYERS, Some(&value))]);

@@ -75,7 +75,7 @@ pub struct FirstOpening {
     pub process: String,
     /// Pressure at which it peels.
     pub pressure_kPa: f64,
-    /// Its range.
+    /// Range of that pressure.
     pub range: Interval,
 }
 

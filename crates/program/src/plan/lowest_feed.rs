@@ -54,9 +54,9 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             continue;
         }
         names.push(&process.name);
-        let own: Vec<&ProcessSteps<'_>> =
+        let steps: Vec<&ProcessSteps<'_>> =
             parts.iter().filter(|part| part.paced.process.name == process.name).collect();
-        let refusal = feed_floor_of(&spec.sealed_by(process), machine, &own);
+        let refusal = feed_floor_of(&spec.sealed_by(process), machine, &steps);
         refusals.extend(refusal.map(|refusal| of_process(spec, process, refusal)));
     }
     refusals

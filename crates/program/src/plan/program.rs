@@ -26,7 +26,7 @@ pub struct Program {
     pub pieces: Vec<PieceName>,
     /// The steps, in order.
     pub steps: Vec<Step>,
-    /// Its contacts, in order: a seam, or one line of a seam once; empty for a trace.
+    /// The contacts, in order: a seam, or one line of a seam once; empty for a trace.
     pub seams: Vec<SeamReport>,
     /// The processes by which its seams are made, with their paces; at least one.
     pub processes: Vec<PacedProcess>,
@@ -59,7 +59,7 @@ pub struct SeamList {
 pub(super) struct ProcessSteps<'a> {
     /// The process.
     pub(super) paced: &'a PacedProcess,
-    /// Its steps.
+    /// The steps.
     pub(super) steps: Vec<&'a Step>,
 }
 
@@ -194,7 +194,7 @@ impl Program {
         temperatures().any(|temperature| Some(temperature) != temperatures().next())
     }
 
-    /// Its steps by process.
+    /// The steps by process.
     pub(super) fn by_process(&self) -> Vec<ProcessSteps<'_>> {
         let steps = |(paced, index): (_, usize)| ProcessSteps {
             paced,
@@ -209,7 +209,7 @@ impl Program {
     }
 }
 
-/// Those of `steps` that make contacts of the process at place `process`, and those before the first contact.
+/// The ones of `steps` that make contacts of the process at place `process`, and those before the first contact.
 pub(super) fn steps_of<'s>(steps: &'s [Step], seams: &[SeamReport], process: usize) -> Vec<&'s Step> {
     let mut current = process;
     let of_process = |step: &&Step| {

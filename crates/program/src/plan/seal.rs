@@ -4,7 +4,7 @@ use crate::plan::moves::Cuts;
 use crate::plan::program::SeamList;
 use crate::plan::ramps::without_crumbs;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
-use design::{Contact, Design, PlacedPart, SealJob};
+use design::{Design, PlacedPart, SealContact, SealJob};
 use geom::{Path, Point, Segment};
 use spec::{Machine, ProgramScope, Spec};
 
@@ -43,7 +43,7 @@ pub(super) fn scope(purpose: Purpose, sheet: usize, placed: &[&PlacedPart]) -> S
 pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob) -> Program {
     let mut steps = vec![Step::Height(Height::Park)];
     let mut list = SeamList { seams: Vec::new(), processes: job.processes.clone() };
-    let planner = ContactPlanner::all(spec, machine, job);
+    let planner = ContactPlanner::of_job(spec, machine, job);
     for (contact, i) in job.contacts.iter().zip(0..) {
         let Some(contact_plan) = planner[contact.process].plan(contact) else { continue };
         let stop = job.stop_before(i);
@@ -88,7 +88,7 @@ struct ContactPlanner<'a> {
 
 impl<'a> ContactPlanner<'a> {
     /// One planner for each process of `job`.
-    fn all(spec: &'a Spec, machine: &Machine, job: &SealJob) -> Vec<Self> {
+    fn of_job(spec: &'a Spec, machine: &Machine, job: &SealJob) -> Vec<Self> {
         let planner = |process: &spec::SealProcess| Self {
             spec,
             cuts: Cuts::of_seal(&spec.sealed_by(process), machine),
@@ -99,8 +99,8 @@ impl<'a> ContactPlanner<'a> {
     }
 
     /// The steps of `contact`; `None` if it has no way down.
-    fn plan(&self, contact: &Contact) -> Option<ContactPlan> {
-        let Contact { laid, process, line, pass } = contact;
+    fn plan(&self, contact: &SealContact) -> Option<ContactPlan> {
+        let SealContact { laid, process, line, pass } = contact;
         let [high, low] = self.heights;
         let (down, up) = (self.ramp(&laid.lead_in, high, low), self.ramp(&laid.lead_out, low, high));
         let start = down.pieces.first().map(Segment::start)?;

@@ -10,8 +10,8 @@ use spec::{Machine, Spec};
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let batches = batches(design, spec.machine.program);
-    batches.iter().map(|batch| trace_program(spec, machine, design, batch)).collect()
+    let programs = batches(design, spec.machine.program);
+    programs.iter().map(|batch| trace_program(spec, machine, design, batch)).collect()
 }
 
 fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed): &Batch<'_>) -> Program {

@@ -58,9 +58,12 @@ impl Field {
         // A process has a name of the user's, which no key of a study has.
         let is_of_process = key.section() == key::process::SPEED.section()
             || [key::star::INNER_PROCESS, key::star::OUTER_PROCESS].contains(&key);
+        // A study varies the strength of seams where most specs write it, in [fabric].
+        let is_written_twice = key == key::seal::STRENGTH;
         (key != key::root::SCHEMA
             && !is_of_another_product
             && !is_of_process
+            && !is_written_twice
             && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
         .then(|| Self { key, shape: shape.clone() })
     }
@@ -269,6 +272,8 @@ mod tests {
         let unset_names: Vec<String> = names.filter(|name| Field::find(name).is_none()).collect();
         let expected = [
             "schema",
+            "star.inner_process",
+            "star.outer_process",
             "stack.star",
             "drawing.file",
             "drawing.units",
@@ -277,6 +282,7 @@ mod tests {
             "drawing.flange",
             "drawing.layers",
             "drawing.process",
+            "seal.strength",
             "process.temperature",
             "process.speed",
             "process.height",

@@ -7,7 +7,7 @@ use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel_order::Leg;
 use crate::verify::read::gcode::{Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
-use design::Contact;
+use design::SealContact;
 use geom::Path;
 use sealed::LaidSeam;
 
@@ -18,7 +18,7 @@ pub(super) fn legs(task: &ProgramTask<'_>) -> Vec<Leg> {
             task.frame.start().into_iter().chain(task.seams.iter().filter_map(|seam| seam.run.start()));
         return starts.map(|start| Leg { start, stop: Vec::new(), cools: false }).collect();
     }
-    let leg = |(contact, i): (&Contact, usize)| {
+    let leg = |(contact, i): (&SealContact, usize)| {
         let stop = task.job.stop_before(i);
         let (pause, heat) = (stop.pauses.then_some("pause"), stop.heat.map(|_| "heat"));
         let stop = pause.into_iter().chain(heat).collect();
@@ -43,7 +43,7 @@ pub(super) struct Sealed<'a> {
     rules: &'a IronRules<'a>,
     tolerance: f64,
     /// The seams that are still to come.
-    expected: std::slice::Iter<'a, Contact>,
+    expected: std::slice::Iter<'a, SealContact>,
     count: ContactCount,
     now: Option<SeamContact>,
     /// The largest, mm.
