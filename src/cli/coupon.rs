@@ -137,8 +137,8 @@ fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failur
     let place = |name: &str| shown(args.output.join(name));
     let spec = lasting(&args.spec, &args.output);
     let text = format!(
-        "wrote {} and {} to {}\nlook at {}: every strip with its setting; cut two sheets of each card of cards.svg, and one paper of \
-         papers.svg\nlay the paper between the sheets of its card, its lower edge on the line, and press each card at its setting and {}\n\
+        "wrote {} and {} to {}\nlook at {}: every strip with its setting; cut two sheets of each card of cards.svg, and a paper.svg \
+         for each\nlay the paper between the sheets of its card, its lower edge on the line, and press each card at its setting and {}\n\
          cut the strips 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N in {}, then: stargrip-cam calibrate {} \
          --press --spec {}\n",
         counted(grid.cards(), "card"),

@@ -27,8 +27,10 @@ const BEYOND: f64 = 10.0;
 const GAP: f64 = 15.0;
 /// Largest number of cards in a row.
 const ROW: usize = 3;
-/// Height of a card's setting in letters, mm.
-const LETTERS: f64 = 4.0;
+/// Height of a specimen's number, mm.
+const NUMBER: f64 = 5.0;
+/// Height of the letters of its setting, mm: five of them fit beside each other.
+const LETTERS: f64 = 3.0;
 
 /// The settings to vary.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,13 +129,29 @@ impl Card {
         }
     }
 
-    /// "145 C 10 S"
-    fn words(&self) -> String {
-        format!("{} {}", self.temperature, self.time).to_uppercase()
+    /// The outline of a specimen, its number and its setting above the band.
+    fn marks(&self, (number, bounds): (usize, Bounds), band: f64) -> Vec<Shape> {
+        let rows = [
+            (number.to_string(), NUMBER),
+            (self.temperature.to_string(), LETTERS),
+            (self.time.to_string(), LETTERS),
+        ];
+        let mut y = bounds.min.y + band + LEGS / 2.0;
+        let mut shapes = vec![Shape::Path(Path::rectangle(&bounds))];
+        for (text, height) in rows {
+            shapes.extend(Shape::figure(lettered(
+                &text.to_uppercase(),
+                Point::new(bounds.min.x + 3.0, y),
+                height,
+            )));
+            y -= 2.0 * height;
+        }
+        shapes
     }
 }
 
-/// The drawings of the cards at 1:1 as SVG with their names: every strip with its setting, the fabric with the lines to cut, and the paper.
+/// The drawings of the cards at 1:1 as SVG with their names: every strip with its setting, the fabric with its lines and
+/// numbers, and the paper, which is the same for all cards.
 pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String); 3] {
     let band = spec.seal.band.0;
     let cards = grid.laid(band);
@@ -150,29 +168,19 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
     let rectangles = |bounds: Vec<Bounds>| {
         bounds.iter().map(|bounds| Shape::Path(Path::rectangle(bounds))).collect::<Vec<_>>()
     };
-    let label = |card: &Card, at: Point| Shape::figure(lettered(&card.words(), at, LETTERS));
     let fabric = rectangles(cards.iter().map(|card| card.fabric).collect());
-    let specimens = cards.iter().flat_map(|card| card.specimens(grid.repeats)).map(|(_, bounds)| bounds);
-    let bands = cards.iter().map(|card| {
-        let edge = card.paper(band).min.y;
-        Shape::Path(Path::open(vec![
-            Line::new(Point::new(card.fabric.min.x, edge), Point::new(card.fabric.max.x, edge)).into(),
-        ]))
-    });
-    let middle = Vec2::new(WASTE + 2.0, 0.5 * LEGS);
-    let on_fabric = cards.iter().filter_map(|card| label(card, card.fabric.min + middle));
-    let sheet = vec![
-        (Layer::CutOutside, fabric),
-        (Layer::SeparatorEdge, bands.collect()),
-        (Layer::Label, rectangles(specimens.collect()).into_iter().chain(on_fabric).collect()),
-    ];
-    let papers = rectangles(cards.iter().map(|card| card.paper(band)).collect());
-    let on_paper = cards.iter().filter_map(|card| label(card, card.fabric.min + middle)).collect();
-    let paper = vec![(Layer::SeparatorEdge, papers), (Layer::Label, on_paper)];
+    let edges = cards.iter().map(|card| card.fabric.min.y + band).zip(&cards);
+    let edges = edges.map(|(y, card)| [card.fabric.min.x, card.fabric.max.x].map(|x| Point::new(x, y)));
+    let edges = edges.map(|[start, end]| Shape::Path(Path::open(vec![Line::new(start, end).into()])));
+    let marks = cards
+        .iter()
+        .flat_map(|card| card.specimens(grid.repeats).flat_map(|specimen| card.marks(specimen, band)));
+    let sheet = vec![(Layer::CutOutside, fabric), (Layer::Label, edges.chain(marks).collect())];
+    let paper = cards.iter().take(1).map(|card| card.paper(band)).collect();
     [
         ("strips.svg", emit::cells(&format!("press strips: {}", spec.name), &cells, band)),
         ("cards.svg", drawn("fabric cards", spec, sheet)),
-        ("papers.svg", drawn("papers of the cards", spec, paper)),
+        ("paper.svg", drawn("paper of a card", spec, vec![(Layer::SeparatorEdge, rectangles(paper))])),
     ]
 }
 

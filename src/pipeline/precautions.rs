@@ -93,8 +93,10 @@ impl Forecast {
 /// What a press must give, and what is to be tested before it is used.
 fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
     let force = format!(
-        "the press must give {} on the whole sheet, or seal smaller sheets one after another",
-        plan.force_in_words()
+        "the press must give {} on the whole sheet; each kN of a smaller one gives {} bar there: set the `pressure` that yours reaches, \
+         or seal smaller sheets one after another",
+        plan.force_in_words(),
+        rounded(1e4 / plan.area)
     );
     let peel =
         "only a peel test of strips of this fabric shows whether temperature, time and pressure seal it"

@@ -63,6 +63,31 @@ fn a_sheet_beyond_the_plates_is_refused_at_the_plates() {
     }
 }
 
+/// The warning about the force has the pressure that a smaller press reaches: force times it is the pressure of the spec.
+#[test]
+fn the_force_of_the_press_is_told_with_what_a_smaller_one_gives() {
+    for (pressure, bar) in [("0.6 bar", 0.6), ("2 bar", 2.0)] {
+        let dir = workshop("");
+        let spec = fs::read_to_string(dir.path().join("star.toml")).expect("written");
+        fs::write(dir.path().join("star.toml"), spec.replace("0.6 bar", pressure)).expect("written");
+        let answer: Value =
+            serde_json::from_str(&done(dir.path(), &["check", "star.toml", "--json"])).expect("JSON");
+        let lines = answer["before_you_seal"].as_array().expect("a list");
+        let text =
+            lines.iter().filter_map(Value::as_str).find(|line| line.contains("each kN")).expect("a warning");
+        let number_before = |unit: &str| {
+            let words = text.split_once(unit).map_or("", |(before, _)| before);
+            words
+                .rsplit(' ')
+                .next()
+                .and_then(|word| word.parse::<f64>().ok())
+                .unwrap_or_else(|| panic!("{unit}: {text}"))
+        };
+        let product = number_before(" kN (") * number_before(" bar there");
+        assert!((product / bar - 1.0).abs() < 0.05, "{product}: {text}");
+    }
+}
+
 #[test]
 fn coupons_of_a_press_are_cards_that_verify_and_calibrate_read() {
     let dir = workshop("");
@@ -91,8 +116,8 @@ fn coupons_of_a_press_are_cards_that_verify_and_calibrate_read() {
         "{spec}"
     );
     // A wrong drawing is found.
-    let drawing = fs::read_to_string(coupons.join("papers.svg")).expect("written");
-    fs::write(coupons.join("papers.svg"), drawing.replacen("15", "16", 1)).expect("written");
+    let drawing = fs::read_to_string(coupons.join("paper.svg")).expect("written");
+    fs::write(coupons.join("paper.svg"), format!("{drawing} ")).expect("written");
     assert_eq!(run(dir.path(), &["verify", "coupons"]).status.code(), Some(1));
 }
 
