@@ -26,7 +26,7 @@ impl FabricArg {
         let material = material(name)?;
         let text = spec::with_material(&source, &material)?;
         if !quiet {
-            tell(&format!("note: {} is of {}", shown(name), shown(&material.name)));
+            tell(&format!("note: the values of the fabric are from {}", shown(&material.name)));
         }
         Ok(Source::new(format!("{} with the fabric {name}", source.name), text))
     }
