@@ -131,9 +131,13 @@ fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failur
     let (grid, proven) = (press_grid(args, loaded, press)?, coupons(args, loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
     tell(&put(&args.output, &files)?.to_string());
-    let made = proven.made();
-    let drawings: Vec<&String> =
-        made.files.iter().filter(|file| file.output.kind == Kind::SealSvg).map(|file| &file.name).collect();
+    let drawings: Vec<&String> = proven
+        .made()
+        .files
+        .iter()
+        .filter(|file| file.output.kind == Kind::SealSvg)
+        .map(|file| &file.name)
+        .collect();
     let place = |name: &str| shown(args.output.join(name));
     let spec = lasting(&args.spec, &args.output);
     let text = format!(

@@ -111,11 +111,12 @@ impl PressGrid {
 impl Card {
     /// The specimens: rectangles beside each other.
     fn specimens(&self, repeats: usize) -> impl Iterator<Item = (usize, Bounds)> {
-        let (mut left, first) = (self.fabric.min.x + WASTE, self.first);
+        let (mut left_edge, first) = (self.fabric.min.x + WASTE, self.first);
         let (bottom, top) = (self.fabric.min.y, self.fabric.max.y);
         (0..repeats).map(move |index| {
-            let bounds = Bounds { min: Point::new(left, bottom), max: Point::new(left + WIDTH, top) };
-            left += WIDTH;
+            let bounds =
+                Bounds { min: Point::new(left_edge, bottom), max: Point::new(left_edge + WIDTH, top) };
+            left_edge += WIDTH;
             (first + index, bounds)
         })
     }

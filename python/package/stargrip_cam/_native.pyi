@@ -858,6 +858,7 @@ def coupon(
     temperatures: Sequence[str] | None = None,
     speeds: Sequence[str] | None = None,
     heights: Sequence[str] | None = None,
+    times: Sequence[str] | None = None,
     only: Sequence[CouponKind] | None = None,
     repeats: int | None = None,
 ) -> dict[str, bytes]:
@@ -867,6 +868,7 @@ def coupon(
     temperatures: of the grid of strips, `["180 C", "200 C"]`; default: the spec's.
     speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's.
     heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
+    times: of a heat press, in place of speeds and heights, `["10 s", "20 s"]`; default: half, once and twice the spec's.
     only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.
     repeats: how often each setting is sealed, 1 to 20; default: 3.
 

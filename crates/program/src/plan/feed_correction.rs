@@ -117,13 +117,16 @@ mod tests {
             let planned = Chop::new(&spec, &machine).expect("chopped");
             let (strokes, stroke) = (planned.strokes(CHECK_LENGTH), Stroke::new(&planned));
             let excess = strokes * (stroke.time(right) - stroke.time(planned.acceleration));
-            let FeedCorrection::Acceleration(found) =
+            let FeedCorrection::Acceleration(corrected) =
                 feed_correction(&spec, &machine, Duration(100.0 + excess))
             else {
                 panic!("{profile}: {excess} s");
             };
             // Segments of 10 ms make the time jump with the acceleration.
-            assert!((stroke.time(found.0) - stroke.time(right)).abs() < 0.011, "{profile}: {found:?}");
+            assert!(
+                (stroke.time(corrected.0) - stroke.time(right)).abs() < 0.011,
+                "{profile}: {corrected:?}"
+            );
         }
         let (spec, machine) = chopped("marlin", 0.1);
         let strokes = Chop::new(&spec, &machine).expect("chopped").strokes(CHECK_LENGTH);
