@@ -128,6 +128,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// Writes the strips for a heat press.
 fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failure> {
+    // The files are proven and written as those of an iron are. The text tells the steps of the workshop in their order, and
+    // the JSON has the keys of an iron that a press has, too.
     let (grid, proven) = (press_grid(args, loaded, press)?, coupons(args, loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
     tell(&put(&args.output, &files)?.to_string());

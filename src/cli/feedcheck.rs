@@ -94,6 +94,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// Prints what to change where a line took `measured`.
 fn correct(loaded: &Loaded, measured: Duration, verbosity: Verbosity) -> Result<(), Failure> {
+    // The plan tells which value explains the time. Here it becomes the key to change, its new value, and a sentence with the
+    // present one.
     loaded.with_programs("feedcheck")?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let nominal = Duration(plan::CHECK_LENGTH / spec.seal.speed.0);

@@ -154,6 +154,8 @@ impl Card {
 /// The drawings of the cards at 1:1 as SVG with their names: every strip with its setting, the fabric with its lines and
 /// numbers, and the paper, which is the same for all cards.
 pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String); 3] {
+    // All drawings show the cards at the same places. A cutter cuts fabric and paper; edges of bands, specimens and their
+    // settings are marks.
     let band = spec.seal.band.0;
     let cards = grid.laid(band);
     let cell = |card: &Card, number: usize, specimen: Bounds| {

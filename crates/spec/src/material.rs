@@ -42,6 +42,8 @@ pub fn builtin_material(name: &str) -> Option<&'static str> {
 /// # Errors
 /// All faults of `material`, by the rules of a spec.
 pub fn with_material(spec: &Source, material: &Source) -> Result<String, Faults> {
+    // Sections that the spec cannot have are dropped from the material first. Then values of the spec that contradict the
+    // material go, and those of the material are set one by one, so that everything else stays as it is written.
     let is_whole = check(material)?;
     let (Ok(mut target), mut stated) = (spec.text.parse::<DocumentMut>(), document(material)?) else {
         return Ok(spec.text.clone());
