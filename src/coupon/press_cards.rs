@@ -131,14 +131,14 @@ impl Card {
     }
 
     /// The outline of a specimen, its number and its setting above the band.
-    fn marks(&self, (number, bounds): (usize, Bounds), band: f64) -> Vec<Shape> {
+    fn marks(&self, number: usize, bounds: &Bounds, band: f64) -> Vec<Shape> {
         let rows = [
             (number.to_string(), NUMBER),
             (self.temperature.to_string(), LETTERS),
             (self.time.to_string(), LETTERS),
         ];
         let mut y = bounds.min.y + band + LEGS / 2.0;
-        let mut shapes = vec![Shape::Path(Path::rectangle(&bounds))];
+        let mut shapes = vec![Shape::Path(Path::rectangle(bounds))];
         for (text, height) in rows {
             shapes.extend(Shape::figure(lettered(
                 &text.to_uppercase(),
@@ -175,9 +175,10 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
     let edges = cards.iter().map(|card| card.fabric.min.y + band).zip(&cards);
     let edges = edges.map(|(y, card)| [card.fabric.min.x, card.fabric.max.x].map(|x| Point::new(x, y)));
     let edges = edges.map(|[start, end]| Shape::Path(Path::open(vec![Line::new(start, end).into()])));
-    let marks = cards
-        .iter()
-        .flat_map(|card| card.specimens(grid.repeats).flat_map(|specimen| card.marks(specimen, band)));
+    let marks = cards.iter().flat_map(|card| {
+        let specimens = card.specimens(grid.repeats);
+        specimens.flat_map(move |(number, bounds)| card.marks(number, &bounds, band))
+    });
     let sheet = vec![(Layer::CutOutside, fabric), (Layer::Label, edges.chain(marks).collect())];
     let paper = cards.iter().take(1).map(|card| card.paper(band)).collect();
     [
