@@ -108,8 +108,8 @@ impl Failure {
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Infeasible(text, nearest) => {
-                let offers: String = nearest.iter().map(|offer| format!("\n{offer}")).collect();
-                format!("error: {text}{offers}")
+                let parts: Vec<String> = [text].into_iter().chain(nearest).collect();
+                format!("error: {}", parts.join("\n"))
             }
             Self::File(_, text) | Self::Message(text) => {
                 format!("error: {text}")
