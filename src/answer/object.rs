@@ -285,7 +285,7 @@ impl Request {
         let requirements = self.requirements(base, machine);
         let ring = RingTable::new().map_err(|fault| NoGripper::Fault(fault.to_string()))?;
         let candidate =
-            Candidate::of(base).ok_or_else(|| NoGripper::Fault("the spec has no star".to_owned()))?;
+            Candidate::from_spec(base).ok_or_else(|| NoGripper::Fault("the spec has no star".to_owned()))?;
         let gripper_of = |choices: &[Choice], base: &Spec| {
             let mut first_refusals = None;
             for choice in choices {

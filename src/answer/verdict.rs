@@ -127,7 +127,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
 /// The JSON answer.
 pub fn json(forecast: &Forecast) -> Value {
     let verdict = forecast.verdict();
-    let is_held = verdict.as_ref().and_then(|verdict| verdict.holds.known());
+    let is_held = verdict.as_ref().and_then(|verdict| verdict.holds.as_bool());
     let refused: Vec<Value> = forecast
         .unfit()
         .iter()

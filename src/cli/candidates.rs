@@ -164,7 +164,7 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
     let Evaluation { point, answer, .. } = candidate;
     let (star, outcome) = (&point.star, answer.outcome.as_ref());
     let ranged = |value: Option<f64>, range| match (value, range) {
-        (Some(value), Some(range)) => shown::with(value, range, ""),
+        (Some(value), Some(range)) => shown::with_range(value, range, ""),
         // A value at a pressure is not shown without its range. A limit model shows it, because the user chose the model.
         (Some(_), None) if is_at_pressure(point.model) => "unknown".to_owned(),
         (Some(value), None) => format!("{value:.3}, range unknown"),

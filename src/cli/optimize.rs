@@ -99,7 +99,7 @@ pub(super) fn answer(
     cancel: Option<&AtomicBool>,
 ) -> Result<(SearchResult, Constraints), Failure> {
     let read = &loaded.reading.spec;
-    let base = Candidate::of(read).ok_or_else(|| Failure::message("the spec has no star"))?;
+    let base = Candidate::from_spec(read).ok_or_else(|| Failure::message("the spec has no star"))?;
     // A text that cannot take a star is refused before the search.
     if let Some(star) = read.stars.first() {
         let _ = with_star(&loaded.source, &StarEdit::new(star))?;
@@ -236,7 +236,7 @@ fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String
         corner_radius: mm(star.corner_radius),
     };
     let mut text = with_star(&loaded.source, &edit)?;
-    let old_candidate = Candidate::of(&loaded.reading.spec);
+    let old_candidate = Candidate::from_spec(&loaded.reading.spec);
     let old_value = |of: fn(&Candidate) -> Option<f64>| old_candidate.as_ref().and_then(of);
     // A force on no object is no load.
     let force = args.largest_force.filter(|_| point.load.object_radius.is_some());

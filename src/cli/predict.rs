@@ -240,13 +240,13 @@ impl StarQuestion {
         }
         let (prediction, shape) = if spec.accuracy.model == ModelChoice::Shell {
             let detail = self.detail.unwrap_or(Detail::Medium);
-            let (prediction, shape) = star::predict((spec, design), &self.radii, detail, watch)?;
+            let (prediction, shape) = star::predict(spec, design, &self.radii, detail, watch)?;
             (prediction, Some(shape))
         } else {
             let mut prediction = predict(spec, design).map_err(ShellRefusal::Fault)?;
             if !self.radii.is_empty() {
                 let radii: Vec<Length> = self.radii.iter().copied().map(Length::from_metres).collect();
-                add_curve((spec, design), &radii, &mut prediction).map_err(ShellRefusal::Fault)?;
+                add_curve(spec, design, &radii, &mut prediction).map_err(ShellRefusal::Fault)?;
             }
             (prediction, None)
         };

@@ -13,7 +13,7 @@ use crate::cli::words::words;
 use crate::pipeline::no_prediction;
 use design::{RefusalCode, Refusals};
 use forecast::drawn::MOST_UNKNOWNS;
-use forecast::pressures::outside;
+use forecast::pressures::pressure_finding;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
 use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
@@ -81,7 +81,7 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
     match fault {
         ShellFault::Cancelled => Failure::Interrupted,
         ShellFault::Pressure { found, least, most } => {
-            let (message, remedy) = outside(SHELL, *found, [*least, *most]);
+            let (message, remedy) = pressure_finding(SHELL, *found, [*least, *most]);
             Failure::Message(format!("{message}: {remedy}"))
         }
         fault => Failure::message(fault),

@@ -6,7 +6,7 @@ use proof::manifest::{ManifestPrediction, ManifestStarPrediction};
 /// The summary of `prediction`.
 pub(super) fn summary(prediction: &Prediction) -> ManifestPrediction {
     ManifestPrediction {
-        holds: prediction.verdict.as_ref().and_then(|verdict| verdict.holds.known()),
+        holds: prediction.verdict.as_ref().and_then(|verdict| verdict.holds.as_bool()),
         payload_kg: prediction.first.payload_kg,
         payload_range_kg: prediction.first.ranges.payload_kg,
         stars: prediction.stars.iter().map(star_summary).collect(),

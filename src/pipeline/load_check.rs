@@ -249,7 +249,7 @@ mod tests {
         assert_eq!(codes(&weak), ["bursts"]);
         let first = &weak.prediction.as_ref().expect("asked").first;
         let (burst, range) = first.burst_pressure_kPa.zip(first.ranges.burst_pressure_kPa).expect("known");
-        let stated = forecast::ranges::shown::with(burst, range, "kPa");
+        let stated = forecast::ranges::shown::with_range(burst, range, "kPa");
         assert!(weak.unfit()[0].found.ends_with(&stated), "{:?}: {stated}", weak.unfit()[0]);
         let radius = weak.prediction.expect("asked").first.evidence.safe_radius_mm.expect("one helps");
         assert_eq!(codes(&with_strength("3 N/mm", &format!("{radius} mm"))), [""; 0]);

@@ -94,7 +94,7 @@ fn what_is_predicted_drawn_and_shown_is_one_pose() {
         let chart = &charts(spec, design)[0];
         let row =
             chart.by_pressure.iter().find(|row| (row.pressure_kPa - 37.0).abs() < 1e-9).expect("its own");
-        let drawn = Pose::of(&stars[0]);
+        let drawn = Pose::new(&stars[0]);
         for (one, other) in [
             (row.pose.inner_radius_mm, drawn.inner_radius_mm),
             (row.pose.width_mm, drawn.width_mm),

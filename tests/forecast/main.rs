@@ -41,11 +41,11 @@ fn gripper(points: u32) -> Spec {
 }
 
 fn case(spec: &Spec) -> Case {
-    Case::of(spec, &Star::new(&spec.stars[0]).expect("makeable")).expect("valid")
+    Case::of_star(spec, &Star::new(&spec.stars[0]).expect("makeable")).expect("valid")
 }
 
 fn candidate(spec: &Spec) -> Candidate {
-    Candidate::of(spec).expect("a star")
+    Candidate::from_spec(spec).expect("a star")
 }
 
 fn design(spec: &Spec) -> Design {

@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 static TABLE: LazyLock<RingTable> = LazyLock::new(|| RingTable::new().expect("solved"));
 
 fn just(base: &Candidate) -> SearchBounds {
-    SearchBounds::just(base)
+    SearchBounds::fixed(base)
 }
 
 fn violation(base: &Candidate, constraints: Constraints) -> f64 {

@@ -8,7 +8,7 @@ use stargrip_cam::mechanics::star::response::Inflated;
 
 /// The linear star of the paper with `points` points and an object of `radius` m.
 fn holding(points: u32, radius: f64) -> (Case, Outcome) {
-    let case = case(&paper(points)).around(radius);
+    let case = case(&paper(points)).on_cylinder(radius);
     let inflated = Inflated::new(&case.mechanism, &Ring, 37e3).expect("solvable");
     let outcome = Outcome::linear(&case, &inflated);
     (case, outcome)

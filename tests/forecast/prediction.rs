@@ -458,7 +458,7 @@ fn of_a_star_of_which_nothing_is_known_nothing_is_said() {
     assert_eq!((star.object_force_N, star.payload_kg, star.radial_stiffness_N_per_m), (None, None, None));
     assert!(star.evidence.choice.contains("bendability is 39.7"), "{}", star.evidence.choice);
     let verdict = prediction.verdict.as_ref().expect("there is an object");
-    assert_eq!((verdict.holds.known(), verdict.force_N), (None, None));
+    assert_eq!((verdict.holds.as_bool(), verdict.force_N), (None, None));
 }
 
 /// A tube of a thousandth of a millimetre, which is not realistic: its mask's outline has points that are nearly one.

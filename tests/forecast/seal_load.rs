@@ -3,8 +3,8 @@
 use crate::{case, close, design, paper};
 use stargrip_cam::forecast::case::{Case, Hinges};
 use stargrip_cam::forecast::seal_load::{
-    Bursting, LoadedHinge, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius, seal_loads,
-    tried_range,
+    Bursting, HingeSeal, LoadedHinge, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius,
+    seal_loads, tried_range,
 };
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::Ring;
@@ -72,7 +72,7 @@ fn the_safe_radius_is_the_least() {
         let load = |mm: f64| {
             let k = factor(&Ring, mm * 1e-3 / width).expect("in range");
             let [_, most] = tried_range(case.band / (mm * 1e-3));
-            most * pull(&case, k, (LoadedHinge::Tip, mm * 1e-3), pressure)
+            most * pull(&case, HingeSeal { hinge: LoadedHinge::Tip, radius: mm * 1e-3, k }, pressure)
         };
         assert!(load(safe) <= 1e3, "{safe} mm: {}", load(safe));
         // The whole range of the burst pressure lies above the pressure.

@@ -21,7 +21,7 @@ fn a_stored_shell_is_what_the_program_computes() {
     let object = 1e-3 * rest.radius.value + OPENING * 0.03;
     let watch = Watch::default();
     let (prediction, _) =
-        star::predict((&spec, &design(&spec)), &[object], Detail::Coarse, &watch).expect("a shell");
+        star::predict(&spec, &design(&spec), &[object], Detail::Coarse, &watch).expect("a shell");
     let computed = &prediction.stars[0];
     let errors = computed.evidence.mesh_errors.as_ref().expect("of a shell");
     let force = stored.force.expect("of a star");

@@ -24,18 +24,20 @@ pub fn of_drawing(prediction: &DrawnPrediction) -> Option<f64> {
 fn of_star(star: &StarPrediction, detail: Option<Detail>) -> Option<f64> {
     let (radius, ranges) = (star.final_radius_mm?, &star.ranges);
     let force = star.object_force_N.filter(|force| *force > 0.0);
-    let of_force = |error: Option<f64>| force.map_or(Some(0.0), |_| error);
-    let errors = if let Some((mesh, detail)) = star.evidence.mesh_errors.as_ref().zip(detail) {
+    let [radius_error, force_error] = if let Some((mesh, detail)) =
+        star.evidence.mesh_errors.as_ref().zip(detail)
+    {
         let smallest_errors = least_errors(detail);
         let of_radius = (mesh.final_radius_mm / radius).max(smallest_errors.radius);
         let error =
             force.zip(mesh.object_force_N).map(|(force, error)| (error / force).max(smallest_errors.force));
-        [Some(of_radius), of_force(error)]
+        [Some(of_radius), error]
     } else {
         let error = force.zip(ranges.object_force_N).map(|(force, range)| of_range(force, range));
-        [ranges.final_radius_mm.map(|range| of_range(radius, range)), of_force(error)]
+        [ranges.final_radius_mm.map(|range| of_range(radius, range)), error]
     };
-    largest(errors.into_iter())
+    // A force that is 0 or not predicted has no error.
+    largest([radius_error, force.map_or(Some(0.0), |_| force_error)].into_iter())
 }
 
 fn of_chamber(chamber: &ChamberPrediction) -> Option<f64> {
@@ -43,14 +45,14 @@ fn of_chamber(chamber: &ChamberPrediction) -> Option<f64> {
     let height =
         chamber.height_mm.map(|height| MeshedValue { value: height.value, mesh_error: height.mesh_error })?;
     let values = [extents[0], extents[1], height, volume];
-    let error = |k: usize| match chamber.ranges {
+    let errors = match chamber.ranges {
         Some(ranges) => {
             let ranges = [ranges.extents_mm[0], ranges.extents_mm[1], ranges.height_mm, ranges.volume_mm3];
-            of_range(values[k].value, ranges[k])
+            std::array::from_fn(|k| of_range(values[k].value, ranges[k]))
         }
-        None => values[k].mesh_error / values[k].value,
+        None => values.map(|value| value.mesh_error / value.value),
     };
-    largest((0..values.len()).map(|k| Some(error(k))))
+    largest(errors.into_iter().map(Some))
 }
 
 /// Distance of `value` from the farther end of its range, by itself.

@@ -145,7 +145,7 @@ impl ActuatorPrediction {
                         decimals: usize,
                         unit: &str| {
             let text = match (range, mesh) {
-                (Some(range), _) => shown::with(value, range, unit),
+                (Some(range), _) => shown::with_range(value, range, unit),
                 (None, Some(error)) => shown::meshed(value, error, unit),
                 (None, None) => {
                     format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown"
@@ -223,9 +223,9 @@ fn ranges(
 ) -> Option<ActuatorRanges> {
     let Actuator { width, arm, pressure, .. } = *actuator;
     let hinge = actuator.hinge();
-    let is_within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
-    let is_validated = is_within(arm / width, errors::ACTUATOR_ARM)
-        && is_within(hinge.arc().to_degrees(), errors::ARC)
+    let [[shortest, longest], [least_arc, most_arc]] = [errors::ACTUATOR_ARM, errors::ARC];
+    let is_validated = (shortest..=longest).contains(&(arm / width))
+        && (least_arc..=most_arc).contains(&hinge.arc().to_degrees())
         && model.level() == Level::Section
         && model.arms(hinge.r_star, hinge.arc()).is_some()
         && actuator.sheet.thickness / width >= errors::SLENDERNESS_REACHED[0];

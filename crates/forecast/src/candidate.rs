@@ -103,15 +103,13 @@ impl RefusedDesign {
 
 impl Candidate {
     /// The gripper of `spec`; `None` if it has no stars.
-    pub fn of(spec: &Spec) -> Option<Self> {
+    pub fn from_spec(spec: &Spec) -> Option<Self> {
         let first = spec.stars.first()?;
         // Predictions do not depend on where an inlet is, or how a star is turned.
-        let place = |star: &StarSpec| StarSpec {
-            rotation: first.rotation,
-            inlet_tip: first.inlet_tip,
-            ..star.clone()
-        };
-        let differ = spec.stars.iter().any(|star| place(star) != *first);
+        let differ = spec.stars.iter().any(|star| {
+            let placed = StarSpec { rotation: first.rotation, inlet_tip: first.inlet_tip, ..star.clone() };
+            placed != *first
+        });
         Some(Self {
             star: first.clone(),
             unequal: if differ { spec.stars.clone() } else { Vec::new() },
@@ -316,7 +314,7 @@ mod tests {
             gripper.accuracy.model = model;
             let design = Design::new(&gripper, &machine).expect("makeable");
             let full = predict(&gripper, &design).expect("predictable");
-            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
+            let fast = Candidate::from_spec(&gripper).expect("a star").answer(&table).expect("feasible");
             let mass = fast.fabric.map(|area| area * 0.27e-3);
             let stated = |value: Option<f64>| value.expect("asked for");
             let outcome = fast.outcome.expect("a limit");
@@ -360,7 +358,7 @@ mod tests {
                 (Some(Length(radius)), Some(Length(150.0)), shape);
             let design = Design::new(&gripper, &machine).expect("makeable");
             let full = predict(&gripper, &design).expect("predictable").first;
-            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
+            let fast = Candidate::from_spec(&gripper).expect("a star").answer(&table).expect("feasible");
             let force = fast.outcome.expect("known").object_force();
             assert_eq!(force.is_some(), full.object_force_N.is_some(), "{radius}");
             let [range, of_full] =
@@ -391,7 +389,7 @@ mod tests {
             (load.object_radius, load.object_height, load.object_shape) = (Some(Length(radius)), None, None);
             let design = Design::new(&gripper, &machine).expect("makeable");
             let full = predict(&gripper, &design).expect("predictable");
-            let fast = Candidate::of(&gripper).expect("a star").answer(&table).expect("feasible");
+            let fast = Candidate::from_spec(&gripper).expect("a star").answer(&table).expect("feasible");
             let radii: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
             let end = f64::max(radius * radius - pitch * pitch, 0.0).sqrt();
             assert!(

@@ -111,9 +111,10 @@ impl Case {
     /// # Errors
     /// The errors of [`Case::new`].
     pub fn of_part(spec: &Spec, part: &StarDesign) -> Result<Self, StarFault> {
-        let strength = |index: usize| spec.process(&part.seam_lines.get(index)?.process).strength;
-        let peel = loop_strengths([strength(0), strength(1)]);
-        Ok(Self { peel, ..Self::of(spec, &part.star)? })
+        let strengths =
+            [0, 1].map(|index: usize| spec.process(&part.seam_lines.get(index)?.process).strength);
+        let peel = loop_strengths(strengths);
+        Ok(Self { peel, ..Self::of_star(spec, &part.star)? })
     }
 
     /// The least peel strength of its seams, N per m; `None` if one is unknown.
@@ -125,21 +126,22 @@ impl Case {
     ///
     /// # Errors
     /// The errors of [`Case::new`].
-    pub fn of(spec: &Spec, star: &Star) -> Result<Self, StarFault> {
+    pub fn of_star(spec: &Spec, star: &Star) -> Result<Self, StarFault> {
         Self::new(star, &spec.fabric, &spec.seal, spec.load.as_ref())
     }
 
     /// This star around a cylinder of `radius`, m.
     #[must_use]
-    pub fn around(self, radius: f64) -> Self {
+    pub fn on_cylinder(self, radius: f64) -> Self {
         Self { object: Some(radius), entering: Some(radius), ..self }
     }
 
     /// This star meeting the object as `meeting` specifies; unchanged for `None`.
     #[must_use]
     pub fn meeting(self, meeting: Option<Meeting>) -> Self {
-        let metres = |of: fn(&Meeting) -> f64| meeting.as_ref().map(|one| Length(of(one)).metres());
-        Self { object: metres(|one| one.radius), entering: metres(|one| one.entering), ..self }
+        let object = meeting.map(|meeting| Length(meeting.radius).metres());
+        let entering = meeting.map(|meeting| Length(meeting.entering).metres());
+        Self { object, entering, ..self }
     }
 
     /// This star above a plate with an `opening` of this radius, mm.
@@ -216,14 +218,15 @@ pub fn measured_stiffnesses(fabric: &Fabric) -> Option<&'static str> {
 
 /// The mechanism of the flat star `star`, in SI units.
 pub fn mechanism(star: &Star) -> Mechanism {
-    let metres = |mm: f64| Length(mm).metres();
+    let [arm, width, tip_radius, corner_radius] =
+        [star.l, star.w, star.r_i, star.r_e].map(|mm| Length(mm).metres());
     Mechanism {
         points: star.n,
-        arm: metres(star.l),
-        width: metres(star.w),
+        arm,
+        width,
         tip_angle: star.phi_i,
-        tip_radius: metres(star.r_i),
-        corner_radius: metres(star.r_e),
+        tip_radius,
+        corner_radius,
         correction: Correction::default(),
     }
 }

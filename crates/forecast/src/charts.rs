@@ -98,7 +98,7 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
         let star_spec = spec.stars.get(placed.index - 1)?;
         // The object's radius that this star meets, as in its prediction.
         let meeting = meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
-        let case = Case::of(spec, star).ok()?.meeting(meeting);
+        let case = Case::of_star(spec, star).ok()?.meeting(meeting);
         let question = Question { chosen: spec.accuracy.model, case, star };
         Some(Charts {
             star: placed.index,
@@ -136,7 +136,8 @@ impl Question<'_> {
     fn at_pressure(&self, k: u32) -> Option<AtPressure> {
         let pressure = self.case.pressure? * (f64::from(k) / f64::from(OWN));
         let model = self.model(pressure)?;
-        let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
+        let (case, outcome) =
+            Outcome::by_model(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
         if !outcome.known {
             return None;
         }
@@ -148,7 +149,7 @@ impl Question<'_> {
             final_radius_mm: Length::from_metres(outcome.rest.radius).0,
             radius_range_mm: outcome.ranges.radius.map(mm),
             object_force_N: outcome.object_force(),
-            pose: Pose::of(&at_angle(self.star, &case.mechanism, tip_angle)),
+            pose: Pose::new(&at_angle(self.star, &case.mechanism, tip_angle)),
         })
     }
 
@@ -167,7 +168,7 @@ impl Question<'_> {
         };
         let with_radius = |k: u32| {
             let rho = smallest + (largest_shown - smallest) * f64::from(k) / f64::from(RADII);
-            let outcome = Outcome::linear(&case.around(rho.min(largest_shown)), &inflated);
+            let outcome = Outcome::linear(&case.on_cylinder(rho.min(largest_shown)), &inflated);
             Some(AtRadius {
                 radius_mm: Length::from_metres(rho).0,
                 force_N: outcome.object_force()?,
@@ -188,7 +189,8 @@ impl Question<'_> {
         let model = self.model(pressure)?;
         let with_points = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..star_spec.clone() }).ok()?;
-            let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?.meeting(meeting), &*model).ok()?;
+            let (case, outcome) =
+                Outcome::by_model(&Case::of_star(spec, &star).ok()?.meeting(meeting), &*model).ok()?;
             outcome.known.then(|| AtPoints {
                 points,
                 contraction: outcome.contraction,

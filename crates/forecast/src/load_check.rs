@@ -4,7 +4,7 @@ use crate::interval::Interval;
 use crate::payload::limit_in_words;
 use crate::prediction::StackPayload;
 use crate::prediction::StarPrediction;
-use crate::ranges::shown::{apart, or_unknown};
+use crate::ranges::shown::{distinct, or_unknown};
 use crate::seal_load::{Bursting, bursts_at};
 use design::{Object, Refusal, RefusalCode, does_not_enter};
 use inflatable::mechanics::hinge::section;
@@ -166,7 +166,7 @@ pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
 
 /// A star presses with `low` to `high` N, and the object bears `bears` N.
 pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
-    let [low, _] = apart(low, bears);
+    let [low, _] = distinct(low, bears);
     Refusal::new(
         key::load::LARGEST_FORCE,
         RefusalCode::TooHard,
@@ -185,7 +185,7 @@ pub(super) fn too_heavy(
     needed_force: f64,
     payload: StackPayload,
 ) -> Refusal {
-    let [needed_text, high] = apart(needed_force, high);
+    let [needed_text, high] = distinct(needed_force, high);
     let finding = format!("friction needs {needed_text} N, but at most {high} N are predicted");
     let mut ways = Vec::new();
     if let Some((_, mass)) = load.friction_range().zip(load.mass) {
@@ -208,7 +208,7 @@ pub(super) fn too_heavy(
 /// `stars` press hard enough for friction, but carry only `payload`, which is less than the mass of `load`.
 pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> Refusal {
     let [mass, payload_text] =
-        apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[1]));
+        distinct(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[1]));
     let reason = limit_in_words(load, stars, payload, 1).unwrap_or_default();
     let finding = format!("they carry at most {payload_text} kg of the {mass} kg: {reason}");
     let other = "more stars, of which those at and below the object's middle press hardest; a wider tube with more pressure; or a smaller \
@@ -220,7 +220,7 @@ pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload
 /// `stars` press hard enough for friction, but may carry less than the mass of `load`: `payload`. In words.
 pub(super) fn may_be_too_heavy(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> String {
     let [mass, payload_text] =
-        apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[0]));
+        distinct(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[0]));
     let reason = limit_in_words(load, stars, payload, 0).unwrap_or_default();
     format!("they may carry only {payload_text} kg of the {mass} kg: {reason}")
 }
@@ -236,7 +236,6 @@ fn lighter(payload: StackPayload) -> Option<String> {
 /// No model covers `star`, of the fabric of `spec`, at the pressure of `load`.
 pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let pressure = load.pressure.filter(|_| star.graspable_radius_mm.is_none())?;
-    let refusal = |key, found, remedy| Some(Refusal::new(key, RefusalCode::OutsideModels, found, remedy));
     let Some([low, high]) = star.modelled_kPa else {
         // Without an object no quantity is required that needs a model.
         let _ = load.object_radius?;
@@ -244,16 +243,18 @@ pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) ->
              no force is predicted";
         let is_known = section::POISSON.contains(&spec.fabric.poisson_ratio);
         let key = if is_known { key::star::TUBE_WIDTH } else { key::fabric::POISSON_RATIO };
-        return refusal(key, star.evidence.choice.clone(), remedy.to_owned());
+        let finding = star.evidence.choice.clone();
+        return Some(Refusal::new(key, RefusalCode::OutsideModels, finding, remedy.to_owned()));
     };
     let likely_pressure = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));
     let slip = pressure.0 > SLIP * high || pressure.0 < low / SLIP;
     let suggestion = likely_pressure
         .filter(|_| slip)
         .map_or_else(String::new, |kpa| format!("did you mean {}? ", Pressure(kpa)));
-    refusal(
+    Some(Refusal::new(
         key::load::PRESSURE,
+        RefusalCode::OutsideModels,
         format!("no model covers this star at {pressure}"),
         format!("{suggestion}it is modelled from {} to {} kPa", Least(low), Most(high)),
-    )
+    ))
 }

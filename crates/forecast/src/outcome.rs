@@ -94,7 +94,7 @@ impl Outcome {
     ///
     /// # Errors
     /// If the model refuses a hinge, or the star has no equilibrium.
-    pub fn of(case: &Case, model: &dyn HingeModel) -> Result<(Case, Self), StarFault> {
+    pub fn by_model(case: &Case, model: &dyn HingeModel) -> Result<(Case, Self), StarFault> {
         let mut case = *case;
         let outcome = Self::correcting(&mut case, model)?;
         Ok((case, outcome))
@@ -103,7 +103,7 @@ impl Outcome {
     /// The outcome of `case`, which gets the model's corrections.
     ///
     /// # Errors
-    /// The errors of [`Outcome::of`].
+    /// The errors of [`Outcome::by_model`].
     pub fn correcting(case: &mut Case, model: &dyn HingeModel) -> Result<Self, StarFault> {
         correct(case, model)?;
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
@@ -120,12 +120,13 @@ impl Outcome {
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
         let rest = inflated.linear_rest();
         let grasp = case.object.and_then(|_| inflated.grasp(&rest));
-        let outcome = Self::at(case, rest, |rho, rest| inflated.linear_force_by(grasp.as_ref(), rho, rest));
+        let outcome =
+            Self::from_rest(case, rest, |rho, rest| inflated.linear_force_by(grasp.as_ref(), rho, rest));
         let ranges = Ranges::new(case, inflated, &outcome.rest);
         let edge = if ranges.domain == Domain::Extrapolated { at_the_edge(case) } else { None };
         let ranges =
             edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [outcome.rest.radius, edge.rest.radius]));
-        let force_range = outcome.force_range(case, (grasp.as_ref(), edge.as_ref()), &ranges);
+        let force_range = outcome.force_range(case, grasp.as_ref(), edge.as_ref(), &ranges);
         // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
         let payload_range = case.friction_range.zip(force_range).map(|(friction, force)| {
             [0, 1].map(|end: usize| {
@@ -165,7 +166,8 @@ impl Outcome {
     fn force_range(
         &self,
         case: &Case,
-        (grasp, edge): (Option<&Grasp>, Option<&Self>),
+        grasp: Option<&Grasp>,
+        edge: Option<&Self>,
         ranges: &Ranges,
     ) -> Option<Interval> {
         let (rho, _, [closest, _]) = (case.object?, self.object_force()?, ranges.radius?);
@@ -187,19 +189,19 @@ impl Outcome {
     /// The least and the largest radius, m, of an object that the star of `case`, which is `inflated`, surely presses on: the range of the
     /// force on it begins above 0. `None` if there is no such object.
     pub fn surely_held(&self, case: &Case, inflated: &Inflated<'_>) -> Option<Interval> {
-        let range = |rho: f64| {
-            let case = Case { object: Some(rho), entering: None, ..*case };
-            Self::linear(&case, inflated).force_range
-        };
-        let presses = |rho: f64| range(rho).is_some_and(|[low, _]| low > 0.0);
+        let presses = |rho: f64| Self::force_range_on(case, inflated, rho).is_some_and(|[low, _]| low > 0.0);
+        let has_range = |rho: f64| Self::force_range_on(case, inflated, rho).is_some();
         let [smallest, largest] = self.graspable;
         // Where shells were not opened so far, there is no range.
-        let widest = if range(largest).is_some() {
-            largest
-        } else {
-            last_holding(smallest, largest, ROUNDS, |rho| range(rho).is_some())
-        };
+        let widest =
+            if has_range(largest) { largest } else { last_holding(smallest, largest, ROUNDS, has_range) };
         presses(widest).then(|| [last_holding(widest, smallest, ROUNDS, presses), widest])
+    }
+
+    /// The range of the force on an object of radius `rho`, m, that enters the star of `case`.
+    fn force_range_on(case: &Case, inflated: &Inflated<'_>, rho: f64) -> Option<Interval> {
+        let case = Case { object: Some(rho), entering: None, ..*case };
+        Self::linear(&case, inflated).force_range
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
@@ -211,13 +213,12 @@ impl Outcome {
         (rho, width): (f64, f64),
         [low, high]: Interval,
     ) -> Interval {
-        let floor = || {
-            let (edge, force) = (edge?, self.object_force()?);
+        let floor = edge.zip(self.object_force()).and_then(|(edge, force)| {
             let ([floor, _], edge_force) = (edge.force_range?, edge.object_force()?);
             let room = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
             Some(scaled_floor(floor, edge_force, force) * (room / (FADING * width)).clamp(0.0, 1.0))
-        };
-        [low.max(floor().unwrap_or(0.0)), high]
+        });
+        [low.max(floor.unwrap_or(0.0)), high]
     }
 
     /// Removes the values without a range: the ranges are those of a star at its pressure, not of a limit.
@@ -240,10 +241,10 @@ impl Outcome {
     /// # Errors
     /// If the model has no equilibrium.
     pub fn nonlinear(case: &Case, inflated: &Inflated<'_>) -> Result<Self, StarFault> {
-        Ok(Self::at(case, inflated.rest()?, |rho, rest| inflated.force(rho, rest)))
+        Ok(Self::from_rest(case, inflated.rest()?, |rho, rest| inflated.force(rho, rest)))
     }
 
-    fn at(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
+    fn from_rest(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
         // The object decides between holding and four ways not to. Force and payload follow only where it is held.
         // Without a pressure all that depends on one stays unknown.
         let rho_0 = case.inner_radius;
@@ -254,7 +255,6 @@ impl Outcome {
             _ if rho > rest.widest.radius => Grip::TooWideToOpen,
             _ => force(rho, &rest).map_or_else(Grip::Unknown, Grip::Held),
         });
-        let with_pressure = |value: f64| case.pressure.map(|_| value);
         let object_force = hold.and_then(Grip::force);
         let wrinkling = object_force.and_then(|_| case.wrinkling_mass(rest.angle));
         Self {
@@ -262,8 +262,8 @@ impl Outcome {
             known: true,
             contraction: 1.0 - rest.radius / rho_0,
             graspable: [rest.radius, rest.widest.radius.min(case.hole).max(rest.radius)],
-            stiffness: with_pressure(rest.stiffness),
-            preload: with_pressure(rest.preload),
+            stiffness: case.pressure.map(|_| rest.stiffness),
+            preload: case.pressure.map(|_| rest.preload),
             hold,
             payload: case
                 .friction
@@ -284,29 +284,27 @@ impl Outcome {
 
     /// A warning about the object, if there is one.
     pub fn object_warning(&self, case: &Case) -> Option<String> {
-        let (smallest, largest) = (self.rest.radius, self.rest.widest.radius);
-        let diameter_text = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
+        // One text for each answer to whether the object is held; the diameters are those that the star reaches.
+        // None where the object is held without doubt.
+        let [smallest, largest, hole] = [self.rest.radius, self.rest.widest.radius, case.hole]
+            .map(|radius| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0));
         match self.hold? {
             Grip::Held(_) => self.locks(case).then(|| {
                 format!(
-                    "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
-                     predicted force grows without bound",
-                    diameter_text(largest)
+                    "the object is nearly as wide as the inflated star opens, {largest}: the arms lock there, and the \
+                     predicted force grows without bound"
                 )
             }),
             Grip::TooThin => Some(format!(
-                "the object is thinner than the closed star, {}: the star does not reach it",
-                diameter_text(smallest)
+                "the object is thinner than the closed star, {smallest}: the star does not reach it"
             )),
             Grip::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
             Grip::TooWideToEnter => Some(format!(
-                "the object is wider than the cut hole, {}: it does not enter",
-                diameter_text(case.hole)
+                "the object is wider than the cut hole, {hole}: it does not enter"
             )),
             Grip::TooWideToOpen => Some(format!(
-                "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
-                 close around it; a larger inner radius, fewer points or a narrower tube open it wider",
-                diameter_text(largest)
+                "the object is wider than the inflated star opens, {largest}: the arms lock there, and the star does not \
+                 close around it; a larger inner radius, fewer points or a narrower tube open it wider"
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried => Some(
@@ -323,9 +321,10 @@ impl Outcome {
             return false;
         }
         let (smallest, largest) = (self.rest.radius, self.rest.widest.radius);
-        let slope = |phi: f64| case.mechanism.radius(phi).slope;
+        let [open_slope, closed_slope] =
+            [self.rest.widest.angle, self.rest.angle].map(|phi| case.mechanism.radius(phi).slope);
         let is_near = case.object.is_some_and(|rho| largest - rho < LOCKING * (largest - smallest));
-        is_near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
+        is_near && open_slope < LOCKING.sqrt() * closed_slope
     }
 }
 

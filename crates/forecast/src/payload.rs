@@ -64,10 +64,9 @@ impl Bearers {
 
 /// The payload of a stack of `bearers` with the friction of `load`.
 pub(super) fn stack_payload(load: &Load, bearers: &[Bearers]) -> StackPayload {
-    let scaled = |range: Interval, count: f64| range.map(|end| count * end);
     let upright = StackPayload {
         kg: bearers.iter().map(|bearer| Some(bearer.count() * bearer.payload.0?)).sum(),
-        range_kg: sum(bearers.iter().map(|bearer| Some(scaled(bearer.payload.1?, bearer.count())))),
+        range_kg: sum(bearers.iter().map(|bearer| Some(bearer.payload.1?.map(|end| bearer.count() * end)))),
     };
     if bearers.iter().flat_map(|bearer| &bearer.slopes).all(|slope| *slope == 0.0) {
         return upright;
@@ -155,12 +154,13 @@ mod tests {
     /// Stars with these forces, N, of 20 % error, on these slopes; their arms wrinkle under `wrinkling` kg.
     fn bearers(forces: &[f64], slopes: &[f64], friction: f64, wrinkling: Option<f64>) -> Vec<Bearers> {
         let bearers_of = |(force, slope): (&f64, &f64)| {
-            let upright = |force: f64| until_arms_fold(friction * force / GRAVITY, wrinkling);
             let range = [0.8 * force, 1.2 * force];
+            let [value, low, high] = [*force, range[0], range[1]]
+                .map(|force| until_arms_fold(friction * force / GRAVITY, wrinkling));
             Bearers {
                 slopes: vec![*slope],
                 force: (Some(*force), Some(range)),
-                payload: (Some(upright(*force)), Some(range.map(upright))),
+                payload: (Some(value), Some([low, high])),
                 wrinkling,
             }
         };

@@ -106,7 +106,7 @@ pub struct Pose {
 
 impl Pose {
     /// The dimensions of `star`.
-    pub fn of(star: &PosedStar) -> Self {
+    pub fn new(star: &PosedStar) -> Self {
         Self {
             inner_radius_mm: star.inner_radius,
             width_mm: star.width,
@@ -152,10 +152,11 @@ pub(super) fn holding_angle(moves: &Mechanism, rest: f64, object: Option<Length>
 /// The star `flat`, inflated with the mechanism `moves`, at the tips' angle `phi`, rad; lengths in mm.
 pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> PosedStar {
     let turn = flat.phi_e - flat.phi_i;
-    let coiled = |radius: f64, from: f64, to: f64| radius * (PI - from) / (PI - to);
     let Correction { width, .. } = moves.correction;
     let (w, phi_e) = (width * flat.w, phi + turn);
-    let (r_i, r_e) = (coiled(flat.r_i, flat.phi_i, phi), coiled(flat.r_e, flat.phi_e, phi_e));
+    // An inner rim keeps its length.
+    let [r_i, r_e] = [(flat.r_i, flat.phi_i, phi), (flat.r_e, flat.phi_e, phi_e)]
+        .map(|(radius, flat_angle, angle)| radius * (PI - flat_angle) / (PI - angle));
     let rho_0 = moves.radius(phi).value * 1e3;
     let d_p = rho_0 + w + r_e;
     let (sin, cos) = libm::sincos(0.5 * phi);

@@ -8,12 +8,12 @@ use crate::payload::{Bearers, stack_payload, wrinkling_warnings};
 use crate::prediction::StackPayload;
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
 use crate::pressures::{LEAST, MOST, modelled, rows};
-use crate::ranges::{Domain, Ranges, errors, outside};
+use crate::ranges::{Domain, Ranges, errors, outside_domain};
 use crate::remembered::Remembered;
 use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
 use crate::shell::by_shell;
-use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
+use crate::star_answer::{geometry_warnings, nonlinear_variant, without_model, write_outcome};
 pub use crate::star_refusal::PredictFault;
 use crate::star_refusal::located;
 use crate::verdict::{refusals, verdict};
@@ -35,7 +35,7 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     let design = stars_of(design)?;
     let models = StarModels::new();
     let mut stars = predict_stars(spec, design, &models)?;
-    let safe = safe_pressure((spec, design), &models, &stars);
+    let safe = safe_pressure(spec, design, &models, &stars);
     for star in &mut stars {
         star.evidence.safe_pressure_kPa = safe;
     }
@@ -75,12 +75,13 @@ pub(super) fn assembled_prediction(
 /// The largest pressure, kPa, at which none of the seals that burst may do so; `None` if none bursts, or the gripper does not meet its load
 /// there either.
 fn safe_pressure(
-    (spec, design): (&Spec, &StarAssembly),
+    spec: &Spec,
+    design: &StarAssembly,
     models: &StarModels,
     stars: &[StarPrediction],
 ) -> Option<f64> {
-    let bursting = stars.iter().map(|star| &star.evidence).filter(|own| own.bursting == Some(Bursting::Yes));
-    let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
+    let bursting = stars.iter().filter(|star| star.evidence.bursting == Some(Bursting::Yes));
+    let safe = bursting.filter_map(|star| star.evidence.safe_pressure_kPa).reduce(f64::min)?;
     let mut safer = spec.clone();
     safer.load.get_or_insert_default().pressure = Some(Pressure(safe));
     let prediction =
@@ -94,27 +95,31 @@ fn predict_stars(
     design: &StarAssembly,
     models: &StarModels,
 ) -> Result<Vec<StarPrediction>, PredictFault> {
-    let meetings = design.meetings(spec);
-    let meeting = |i: usize| meetings.as_ref().and_then(|all| all.get(i));
+    let meetings: Vec<Option<Meeting>> = match design.meetings(spec) {
+        Some(meetings) => {
+            meetings.into_iter().map(Some).chain(repeat(None)).take(design.stars.len()).collect()
+        }
+        None => vec![None; design.stars.len()],
+    };
     let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
     for (i, placed) in design.stars.iter().enumerate() {
         // Stars of a stack are often equal; a slow model then answers once.
         let mut earlier = design.stars.iter().take(i).enumerate();
         let opening = design.frame.opening_below(placed.index);
-        let is_like = |j: usize| match (meeting(j), meeting(i)) {
-            (Some(there), Some(here)) => there.is_like(here),
-            (there, here) => there == here,
-        };
         let twin = earlier.find(|(j, other)| {
+            let meets_alike = match (&meetings[*j], &meetings[i]) {
+                (Some(first), Some(second)) => first.is_like(second),
+                (first, second) => first == second,
+            };
             other.distinct == placed.distinct
-                && is_like(*j)
+                && meets_alike
                 && design.frame.opening_below(other.index) == opening
         });
         let part = design.part(placed);
         stars.push(match twin {
             Some((twin, _)) => stars[twin].clone(),
-            None => predict_star(spec, part, (meeting(i).copied(), opening), models)
-                .map_err(|fault| located(placed.index, (spec, part), &fault))?,
+            None => predict_star(spec, part, meetings[i], opening, models)
+                .map_err(|fault| located(placed.index, spec, part, &fault))?,
         });
     }
     Ok(stars)
@@ -132,7 +137,8 @@ pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
 /// # Errors
 /// The errors of [`predict`].
 pub fn add_curve(
-    (spec, design): (&Spec, &Design),
+    spec: &Spec,
+    design: &Design,
     radii: &[Length],
     prediction: &mut Prediction,
 ) -> Result<(), PredictFault> {
@@ -183,7 +189,8 @@ struct PlacedCase<'a> {
 fn predict_star(
     spec: &Spec,
     part: &StarDesign,
-    (meeting, opening): (Option<Meeting>, Option<f64>),
+    meeting: Option<Meeting>,
+    opening: Option<f64>,
     models: &StarModels,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of_part(spec, part)?.meeting(meeting).above_plate(opening);
@@ -192,10 +199,10 @@ fn predict_star(
     let Some(level) = named_limit(spec.accuracy.model) else { return placed.by_table() };
     let choice = format!("{} was requested", level.name());
     if level == Level::Bvp {
-        return placed.by(&models.bvp, choice);
+        return placed.by_model(&models.bvp, choice);
     }
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
-    placed.by(model.as_ref(), choice)
+    placed.by_model(model.as_ref(), choice)
 }
 
 impl PlacedCase<'_> {
@@ -208,7 +215,7 @@ impl PlacedCase<'_> {
                 return Err(StarFault::NoPressure);
             }
             let reason = "the prediction depends on the pressure, and none is given";
-            let pressure_rows = rows(&self.case, self.seal.burst, self.seal.sure());
+            let pressure_rows = rows(&self.case, self.seal.burst, self.seal.safe_pressure());
             let mut star = self.unknown(reason.to_owned());
             if pressure_rows.is_empty() {
                 let text = format!(
@@ -226,7 +233,7 @@ impl PlacedCase<'_> {
                 } else {
                     "section covers this star at its pressure, from its table"
                 };
-                self.by(&model, choice.to_owned())
+                self.by_model(&model, choice.to_owned())
             }
             Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. }))
                 if !is_requested =>
@@ -244,7 +251,7 @@ impl PlacedCase<'_> {
     }
 
     /// The prediction by `model`.
-    fn by(&self, model: &dyn HingeModel, choice: String) -> Result<StarPrediction, StarFault> {
+    fn by_model(&self, model: &dyn HingeModel, choice: String) -> Result<StarPrediction, StarFault> {
         let case = &corrected(&self.case, model)?;
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
@@ -256,15 +263,15 @@ impl PlacedCase<'_> {
         let mut star = self.unknown(if outcome.known { choice } else { untried_message(case) });
         let warnings = &mut star.evidence.warnings;
         warnings.extend(limits_of_validity(model, case).into_iter().map(PredictionWarning::from));
-        warnings.extend(self.of_the_ranges(&outcome));
+        warnings.extend(self.range_warning(&outcome));
         if outcome.known {
-            warnings.extend(of_the_shape(case, &outcome).into_iter().map(PredictionWarning::from));
+            warnings.extend(geometry_warnings(case, &outcome).into_iter().map(PredictionWarning::from));
             let object_warning = outcome.object_warning(case);
             warnings.extend(object_warning.map(|text| PredictionWarning::new(WarningCode::Object, text)));
             star.evidence.surely_held_mm = object.map(mm);
         }
-        star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
-        fill(&mut star, case, &inflated, &outcome)?;
+        star.nonlinear = nonlinear_variant(case, &inflated, &outcome, self.spec.accuracy.response, warnings);
+        write_outcome(&mut star, case, &inflated, &outcome)?;
         if !outcome.known {
             star.evidence.warnings.extend(self.by_shell().map(PredictionWarning::from));
             star.modelled_kPa = modelled(&self.case);
@@ -274,6 +281,8 @@ impl PlacedCase<'_> {
 
     /// The values that need no model, with the reason why no model applies.
     fn unknown(&self, choice: String) -> StarPrediction {
+        // The values of the flat star come first. The seal adds its loads and warnings, and the spec the warnings about
+        // what no hinge model uses.
         let Self { case, part, spec, seal } = self;
         let bursting = seal.warning().map(|text| PredictionWarning::new(WarningCode::Bursting, text));
         let mut warnings: Vec<PredictionWarning> = bursting.into_iter().collect();
@@ -283,7 +292,7 @@ impl PlacedCase<'_> {
             warnings.push(PredictionWarning::new(WarningCode::Validity, text));
         }
         warnings.extend(weave_left_out(&spec.fabric).map(PredictionWarning::from));
-        let bare_evidence = bare(spec, part, case);
+        let star = without_model(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
             seal_load: seal.load,
@@ -296,13 +305,13 @@ impl PlacedCase<'_> {
                 choice,
                 numerical_error: Some(0.0),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
-                safe_pressure_kPa: seal.sure().map(|sure| Pressure::from_pascals(sure).0),
+                safe_pressure_kPa: seal.safe_pressure().map(|p| Pressure::from_pascals(p).0),
                 warnings,
                 bursting: seal.bursting,
-                ..bare_evidence.evidence.clone()
+                ..star.evidence.clone()
             },
             hold: case.pressure.and(case.object).map(|_| Grip::Untried),
-            ..bare_evidence
+            ..star
         }
     }
 
@@ -312,13 +321,13 @@ impl PlacedCase<'_> {
     }
 
     /// A warning about ranges that are wide, or based on no computed star.
-    fn of_the_ranges(&self, outcome: &Outcome) -> Option<PredictionWarning> {
+    fn range_warning(&self, outcome: &Outcome) -> Option<PredictionWarning> {
         let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, rest_radius) = (self.spec.accuracy.response, outcome.rest.radius);
         match domain {
             // What is printed as 1.0 is no reason to warn.
             Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
-                let outside_text = outside(&self.case);
+                let outside_text = outside_domain(&self.case);
                 let text = format!(
                     "{}, {outside_text}: ranges are {:.1} times as wide",
                     errors::EXTRAPOLATED_MESSAGE,
@@ -330,12 +339,11 @@ impl PlacedCase<'_> {
                 Some(PredictionWarning::new(WarningCode::NoModel, untried_message(&self.case)))
             }
             _ => {
-                let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
                 // The requested quantity: the force where there is an object, else the final radius.
                 let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
                 let parts = [
-                    ("the final radius", radius.map(|range| part(range, rest_radius))),
-                    ("the force on the object", force.map(|(force, range)| part(range, force))),
+                    ("the final radius", radius.map(|range| largest_share(range, rest_radius))),
+                    ("the force on the object", force.map(|(force, range)| largest_share(range, force))),
                 ];
                 let wide = parts.into_iter().filter_map(|(what, part)| Some((what, part?)));
                 let wide: Vec<String> = wide
@@ -354,9 +362,14 @@ impl PlacedCase<'_> {
     }
 }
 
+/// Distance of `value` from the farther end of `range`, by itself.
+fn largest_share(range: Interval, value: f64) -> f64 {
+    (range[1] - value).max(value - range[0]) / value
+}
+
 /// A message that the star of `case` is outside the validated domain, with the reason.
 fn untried_message(case: &Case) -> String {
-    format!("{}: {}", errors::UNKNOWN_MESSAGE, outside(case))
+    format!("{}: {}", errors::UNKNOWN_MESSAGE, outside_domain(case))
 }
 
 /// A message that no hinge model uses the weave of `fabric`, if there is one.

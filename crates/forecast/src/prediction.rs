@@ -50,7 +50,7 @@ pub enum Holds {
 
 impl Holds {
     /// As a truth value; `None` for [`Holds::Unknown`].
-    pub fn known(self) -> Option<bool> {
+    pub fn as_bool(self) -> Option<bool> {
         match self {
             Self::Yes => Some(true),
             Self::No => Some(false),

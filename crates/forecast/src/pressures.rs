@@ -52,7 +52,7 @@ pub fn rows(case: &Case, burst: Option<f64>, safe_pressure: Option<f64>) -> Vec<
     let mut rows: Vec<PressureRow> =
         steps.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
     // The first of equals: less pressure does the same.
-    let merit = |row: &PressureRow| merit(row, case.object.is_some());
+    let has_object = case.object.is_some();
     let any_tried = rows.iter().any(|row| row.tried);
     let is_safe =
         |row: &PressureRow| safe_pressure.is_none_or(|safe| Pressure(row.pressure_kPa).pascals() <= safe);
@@ -61,8 +61,8 @@ pub fn rows(case: &Case, burst: Option<f64>, safe_pressure: Option<f64>) -> Vec<
     let best = (0..rows.len())
         .rev()
         .filter(|i| fit(&rows[*i]))
-        .max_by(|a, b| merit(&rows[*a]).total_cmp(&merit(&rows[*b])));
-    if let Some(best) = best.filter(|best| case.object.is_none() || merit(&rows[*best]) > 0.0) {
+        .max_by(|a, b| merit(&rows[*a], has_object).total_cmp(&merit(&rows[*b], has_object)));
+    if let Some(best) = best.filter(|best| !has_object || merit(&rows[*best], has_object) > 0.0) {
         rows[best].best = true;
     }
     rows
@@ -70,7 +70,7 @@ pub fn rows(case: &Case, burst: Option<f64>, safe_pressure: Option<f64>) -> Vec<
 
 /// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
 /// it is.
-pub fn outside(model: &str, pressure: f64, [lowest, highest]: Interval) -> (String, String) {
+pub fn pressure_finding(model: &str, pressure: f64, [lowest, highest]: Interval) -> (String, String) {
     let finding =
         format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
     (finding, pressures([lowest, highest].map(|pascals| Pressure::from_pascals(pascals).0)))
@@ -81,7 +81,7 @@ pub(super) fn pressures([lowest, highest]: Interval) -> String {
     format!("a pressure from {} to {} kPa", Least(lowest), Most(highest))
 }
 
-/// [`outside`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.
+/// [`pressure_finding`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.
 pub fn outside_section(
     fault: &StarFault,
     sheet: &ElasticSheet,
@@ -94,7 +94,7 @@ pub fn outside_section(
     let highest = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
     let lowest = BENDABILITY.start() / bendability;
     let is_due = lowest < highest && !(lowest..=highest).contains(&pressure);
-    is_due.then(|| outside("section", pressure, [lowest, highest]))
+    is_due.then(|| pressure_finding("section", pressure, [lowest, highest]))
 }
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
@@ -105,7 +105,7 @@ const TRIED: u32 = 181;
 /// Whether the star of `case` has a prediction at `pressure`, Pa.
 pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
     let outcome = tabled(case, pressure)
-        .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
+        .and_then(|model| Outcome::by_model(&Case { pressure: Some(pressure), ..*case }, &model));
     outcome.is_ok_and(|(_, outcome)| outcome.known)
 }
 
@@ -113,22 +113,27 @@ pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
 /// if there is none.
 pub fn modelled(case: &Case) -> Option<Interval> {
     let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
-    let pressure_at = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
-    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(pressure_at(*k))).collect();
+    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(tried_pressure(*k))).collect();
     let (first, last) = (*modelled.first()?, *modelled.last()?);
     // From a pressure with a prediction towards its neighbour without one.
-    let end = |inside: u32, outside: Option<u32>| {
-        outside.map_or(pressure_at(inside), |outside| {
-            last_holding(pressure_at(inside), pressure_at(outside), 20, is_known)
+    let neighbours = [(first, first.checked_sub(1)), (last, Some(last + 1).filter(|k| *k < TRIED))];
+    let [low, high] = neighbours.map(|(end, neighbour)| {
+        neighbour.map_or(tried_pressure(end), |neighbour| {
+            last_holding(tried_pressure(end), tried_pressure(neighbour), 20, is_known)
         })
-    };
-    let low = end(first, first.checked_sub(1));
-    let high = end(last, Some(last + 1).filter(|k| *k < TRIED));
-    let three = |x: f64, round: fn(f64) -> f64| {
-        let digit = libm::pow(10_f64, libm::log10(x).floor() - 2.0);
-        round(x / digit) * digit
-    };
-    Some([three(low, f64::ceil), three(high, f64::floor)])
+    });
+    Some([three_digits(low, f64::ceil), three_digits(high, f64::floor)])
+}
+
+/// Number `k` of the pressures to evaluate, kPa.
+fn tried_pressure(k: u32) -> f64 {
+    ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1))
+}
+
+/// `x` with three digits, by `round`.
+fn three_digits(x: f64, round: fn(f64) -> f64) -> f64 {
+    let digit = libm::pow(10_f64, libm::log10(x).floor() - 2.0);
+    round(x / digit) * digit
 }
 
 /// The value to maximise: with an object the lower end of the force's range, 0 if unknown; else the negative final radius.
@@ -140,7 +145,7 @@ fn merit(row: &PressureRow, object: bool) -> f64 {
 fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>, StarFault> {
     let pressure = Pressure(kpa).pascals();
     let model = tabled(case, pressure)?;
-    let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model)?;
+    let (case, outcome) = Outcome::by_model(&Case { pressure: Some(pressure), ..*case }, &model)?;
     let Some(radius) = outcome.ranges.radius else { return Ok(None) };
     Ok(Some(PressureRow {
         pressure_kPa: kpa,

@@ -2,7 +2,7 @@
 
 use crate::interval::{Interval, scaled};
 use crate::outcome::Grip;
-use crate::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, groups_of_equals};
+use crate::prediction::{FabricStretch, ForceAt, Prediction, StarPrediction, groups_of_equals};
 use crate::pressures::PressureRow;
 use crate::ranges::shown::{self, line, listed};
 use crate::shell::SHELL;
@@ -76,7 +76,6 @@ fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is
     if star.evidence.mesh_errors.is_some() {
         return result::star_text(page, star, is_full);
     }
-    let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
     let search = star.evidence.accuracy.as_ref().map(ToString::to_string);
     let has_no_model = star.evidence.warnings.iter().any(|warning| warning.code == WarningCode::NoModel);
@@ -86,16 +85,16 @@ fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is
     line(page, "arm length", show(star.arm_length_mm, "mm"));
     // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
-    if let Some((tip, corner)) = pair(star.lambda_t).filter(|_| is_full) {
-        let digits =
-            |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
-        line(page, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
+    if let Some((tip, corner)) = star.lambda_t.tip.zip(star.lambda_t.corner).filter(|_| is_full) {
+        let [tip, corner] = [tip, corner]
+            .map(|lambda| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") });
+        line(page, "target coiling tip, corner", format!("{tip}, {corner}"));
     }
     // What the spec requires is listed also when unknown.
     let mut quantity =
         |what: &str, value: Option<f64>, range: Option<Interval>, unit: &str, is_asked: bool| {
             let text = match value.zip(range) {
-                Some((value, range)) => Some(shown::with(value, range, unit)),
+                Some((value, range)) => Some(shown::with_range(value, range, unit)),
                 None if is_asked && !is_limit => Some("unknown".to_owned()),
                 None => value.map(|value| without_range(value, unit, is_limit)),
             };
@@ -168,7 +167,7 @@ fn force_lines(page: &mut String, star: &StarPrediction, is_limit: bool) {
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
         let text = match (*force, range) {
             (None, _) if !is_held => "not held".to_owned(),
-            (Some(force), Some(range)) => shown::with(force, range, "N"),
+            (Some(force), Some(range)) => shown::with_range(force, range, "N"),
             (Some(force), None) => without_range(force, "N", is_limit),
             (None, _) => "unknown".to_owned(),
         };
@@ -184,17 +183,10 @@ fn show(value: f64, unit: &str) -> String {
 fn grip_lines(page: &mut String, star: &StarPrediction) {
     let Some([smallest, largest]) = star.graspable_radius_mm else { return };
     // The second value has no better range than the first.
-    let end = |radius: f64| match star.ranges.final_radius_mm {
-        Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
-        None => format!("{} mm", shown::rounded(2.0 * radius)),
-    };
-    line(
-        page,
-        "holds objects",
-        format!("{} to {} across", end(smallest).trim_end_matches(" mm"), end(largest)),
-    );
+    let [smallest, largest] = [smallest, largest].map(|radius| diameter(radius, star));
+    line(page, "holds objects", format!("{} to {largest} across", smallest.trim_end_matches(" mm")));
     line(page, "cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
-    let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", end(radius)));
+    let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", diameter(radius, star)));
     line(page, "flap's edge touches objects", edge);
     let force = star.flap_force_N.filter(|force| *force > 0.0).map(|force| {
         // The upper end, as in the verdict.
@@ -213,6 +205,14 @@ fn grip_lines(page: &mut String, star: &StarPrediction) {
     });
     line(page, "arms beside the plates", bending);
     line(page, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
+}
+
+/// Twice `radius` in mm, with as many digits as the final radius of `star` has.
+fn diameter(radius: f64, star: &StarPrediction) -> String {
+    match star.ranges.final_radius_mm {
+        Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
+        None => format!("{} mm", shown::rounded(2.0 * radius)),
+    }
 }
 
 /// The table of pressures, if there are any.
@@ -238,8 +238,11 @@ fn pressure_table(page: &mut String, rows: &[PressureRow]) {
 
 /// `row`, with a force where some row has one: `has_force`.
 fn pressure_text(page: &mut String, row: &PressureRow, has_force: bool) {
-    let force_text = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
-    let force = if has_force { force_text() } else { String::new() };
+    let force = if has_force {
+        format!("{:26}", shown::optional_with_range(row.object_force_N, row.force_range_N, "N"))
+    } else {
+        String::new()
+    };
     let note = match (row.best, row.tried) {
         (true, _) => "   <- best",
         (_, false) => "   outside the validated range",
@@ -249,7 +252,7 @@ fn pressure_text(page: &mut String, row: &PressureRow, has_force: bool) {
         page,
         "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
-        shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        shown::optional_with_range(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
         100.0 * row.stretch,
         row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
     );

@@ -32,14 +32,15 @@ pub(super) struct SealForecast {
 
 impl SealForecast {
     pub(super) fn new(spec: &Spec, case: &Case, star: &Star) -> Self {
-        let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
+        let [tip, corner] = [case.realised.tip, case.realised.corner]
+            .map(|radius| factor(&Ring, radius / case.mechanism.width));
         let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
         // They differ only for hinges that are too sharp for a range.
         let bounds = burst_range.or_else(|| hardest_bounds(case));
-        let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
+        let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at_pressure(p, burst, bounds));
         let bursts = bursting.is_some_and(|at| at != Bursting::No);
         Self {
-            load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
+            load: Hinges { tip, corner },
             pull: largest_pull(case),
             burst,
             burst_range,
@@ -50,8 +51,8 @@ impl SealForecast {
     }
 
     /// The largest pressure, Pa, at which it surely does not burst; `None` if no seal is known.
-    pub(super) fn sure(&self) -> Option<f64> {
-        self.bounds.map(|[sure, _]| sure)
+    pub(super) fn safe_pressure(&self) -> Option<f64> {
+        self.bounds.map(|[lowest, _]| lowest)
     }
 
     pub(super) fn ranges(&self) -> StarRanges {
@@ -64,7 +65,7 @@ impl SealForecast {
 
     pub(super) fn warning(&self) -> Option<String> {
         let (burst, bursting) = self.burst.zip(self.bursting)?;
-        let what = match bursting {
+        let finding = match bursting {
             Bursting::No => return None,
             Bursting::Perhaps if self.burst_range.is_none() => {
                 "the seal may burst: the range of its burst pressure is unknown"
@@ -72,6 +73,6 @@ impl SealForecast {
             Bursting::Perhaps => "the seal may burst: the pressure is within the range of its burst pressure",
             Bursting::Yes => "the pressure is above the seal's burst pressure",
         };
-        Some(format!("{what}, {:.2} kPa; {}", Pressure::from_pascals(burst).0, remedy(self.safe)))
+        Some(format!("{finding}, {:.2} kPa; {}", Pressure::from_pascals(burst).0, remedy(self.safe)))
     }
 }

@@ -10,7 +10,7 @@ mod pull;
 
 pub(super) use self::burst::hardest_bounds;
 pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
-pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull, tried_range};
+pub use self::pull::{HingeSeal, LoadedHinge, RANGE, factor, largest_pull, pull, tried_range};
 
 use self::burst::{burst_bounds, bursting, sure_strength};
 use self::pull::{R_STAR, is_tried, range};
@@ -37,15 +37,16 @@ const SHARPEST: f64 = 1e-6;
 pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
     let pressure = case.pressure?;
-    let holds = |r_star: f64| {
-        let range = factor(&Ring, r_star).and_then(|k| burst_bounds(case, k, (hinge, r_star * width)));
-        range.is_some_and(|[sure, _]| pressure <= sure)
+    let is_safe = |r_star: f64| {
+        let seal = factor(&Ring, r_star).map(|k| HingeSeal { hinge, radius: r_star * width, k });
+        let range = seal.and_then(|seal| burst_bounds(case, seal));
+        range.is_some_and(|[low, _]| pressure <= low)
     };
     // The pull falls with R*; its range is least where the shells were.
     let ends = [(R_STAR[1], SHARPEST), (ROUNDEST, R_STAR[1])];
-    let (safe, sharp) = ends.into_iter().find(|(round, _)| holds(*round))?;
+    let (safe, sharp) = ends.into_iter().find(|(round, _)| is_safe(*round))?;
     // After 60 rounds the ends differ by rounding.
-    let r_star = last_holding(safe, sharp, 60, holds);
+    let r_star = last_holding(safe, sharp, 60, is_safe);
     let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
     Some(Length(hundredths / 100.0))
 }
@@ -103,62 +104,72 @@ pub fn seal_loads(spec: &Spec, case: &Case, part: &StarDesign) -> Vec<SealLoad> 
     let width = case.mechanism.width;
     let channel = part.channel.map(|channel| Length(2.0 * channel.half_width).metres());
     let places = [
-        ("tips", Some((LoadedHinge::Tip, case.realised.tip)), Some(width)),
-        ("corners", Some((LoadedHinge::Corner, case.realised.corner)), Some(width)),
-        ("arms", None, Some(width)),
-        (INLET, None, channel),
+        SealPlace { name: "tips", hinge: Some(LoadedHinge::Tip), width: Some(width) },
+        SealPlace { name: "corners", hinge: Some(LoadedHinge::Corner), width: Some(width) },
+        SealPlace { name: "arms", hinge: None, width: Some(width) },
+        SealPlace { name: INLET, hinge: None, width: channel },
     ];
-    let with_width = places.into_iter().filter_map(|(place, hinge, width)| Some((place, hinge, width?)));
-    with_width.map(|(place, hinge, width)| at_place((spec, case, &part.star), place, hinge, width)).collect()
+    places.iter().filter_map(|place| place.load(spec, case, &part.star)).collect()
 }
 
-fn at_place(
-    (spec, case, star): (&Spec, &Case, &Star),
-    place: &'static str,
-    hinge: Option<(LoadedHinge, f64)>,
-    width: f64,
-) -> SealLoad {
-    let k = hinge.and_then(|(_, radius)| factor(&Ring, radius / width));
-    // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
-    let pulled = case.pressure.and_then(|p| {
-        if let Some(hinge) = hinge {
-            let load = pull(case, k?, hinge, p);
-            let range = range(case, k?, hinge, p).map(|range| scaled(range, load));
-            Some((load, range, sure_strength(case, k?, hinge, p)))
-        } else {
-            let load = FRAC_1_PI * p * width;
-            Some((load, Some([load; 2]), load))
-        }
-    });
-    let peel = match (hinge, place) {
-        (Some((hinge, _)), _) => hinge.peel(case),
-        // The channel is an opening of the outer loop, and an arm lies between both loops.
-        (None, INLET) => case.peel.corner,
-        (None, _) => case.least_peel(),
-    };
-    let burst = peel.and_then(|peel| match hinge {
-        Some(hinge) => Some((bursting(case, k?, hinge, peel), burst_bounds(case, k?, hinge))),
-        None => Some((PI * peel / width, Some([PI * peel / width; 2]))),
-    });
-    let (burst, bounds) = burst.map_or((None, None), |(burst, bounds)| (Some(burst), bounds));
-    let burst_range = bounds.filter(|_| hinge.is_none_or(|(_, radius)| is_tried(case, radius)));
-    let margin = burst.zip(case.pressure).map(|(burst, p)| burst / p);
-    let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
-    let weak = hinge.filter(|_| bursting.is_some_and(|one| one != Bursting::No));
-    SealLoad {
-        place,
-        radius: hinge.map(|(_, radius)| Length::from_metres(radius)),
-        factor: pulled.zip(case.pressure).map(|((load, ..), p)| load / (p * width)),
-        load: pulled.map(|(load, ..)| LineForce::from_newtons_per_metre(load)),
-        range: pulled
-            .and_then(|(_, range, _)| range)
-            .map(|range| range.map(LineForce::from_newtons_per_metre)),
-        sure_strength: pulled.map(|(.., sure)| LineForce::from_newtons_per_metre(sure)),
-        burst: burst.map(Pressure::from_pascals),
-        burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
-        bursting,
-        margin,
-        safe_radius: weak.and_then(|(hinge, _)| possible_radius(spec, case, star, hinge)),
+/// A kind of place of a star with a seal.
+struct SealPlace {
+    name: &'static str,
+    /// The hinge there; `None` at a straight tube.
+    hinge: Option<LoadedHinge>,
+    /// Width of the tube, m; `None` if the star has no such place.
+    width: Option<f64>,
+}
+
+impl SealPlace {
+    /// The load there, on the seal of `star` of `spec`, whose case is `case`.
+    fn load(&self, spec: &Spec, case: &Case, star: &Star) -> Option<SealLoad> {
+        // A hinge has a predicted pull with a range, a straight tube an exact one. Pull and burst pressure follow from it
+        // where pressure and peel strength are known, the safe radius where the hinge may burst.
+        let Self { name, hinge, width } = *self;
+        let width = width?;
+        let seal = hinge.map(|hinge| HingeSeal::new(case, hinge, &Ring));
+        // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
+        let pulled = case.pressure.and_then(|p| {
+            if let Some(seal) = seal {
+                let load = pull(case, seal?, p);
+                let load_range = range(case, seal?, p).map(|range| scaled(range, load));
+                Some((load, load_range, sure_strength(case, seal?, p)))
+            } else {
+                let load = FRAC_1_PI * p * width;
+                Some((load, Some([load; 2]), load))
+            }
+        });
+        let peel = match (hinge, name) {
+            (Some(hinge), _) => hinge.peel(case),
+            // The channel is an opening of the outer loop, and an arm lies between both loops.
+            (None, INLET) => case.peel.corner,
+            (None, _) => case.least_peel(),
+        };
+        let burst = peel.and_then(|peel| match seal {
+            Some(seal) => Some((bursting(case, seal?, peel), burst_bounds(case, seal?))),
+            None => Some((PI * peel / width, Some([PI * peel / width; 2]))),
+        });
+        let (burst, bounds) = burst.map_or((None, None), |(burst, bounds)| (Some(burst), bounds));
+        let burst_range = bounds.filter(|_| hinge.is_none_or(|hinge| is_tried(case, hinge.radius(case))));
+        let margin = burst.zip(case.pressure).map(|(burst, p)| burst / p);
+        let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at_pressure(p, burst, bounds));
+        let weak_hinge = hinge.filter(|_| bursting.is_some_and(|bursting| bursting != Bursting::No));
+        Some(SealLoad {
+            place: name,
+            radius: hinge.map(|hinge| Length::from_metres(hinge.radius(case))),
+            factor: pulled.zip(case.pressure).map(|((load, ..), p)| load / (p * width)),
+            load: pulled.map(|(load, ..)| LineForce::from_newtons_per_metre(load)),
+            range: pulled
+                .and_then(|(_, range, _)| range)
+                .map(|range| range.map(LineForce::from_newtons_per_metre)),
+            sure_strength: pulled.map(|(.., sure)| LineForce::from_newtons_per_metre(sure)),
+            burst: burst.map(Pressure::from_pascals),
+            burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
+            bursting,
+            margin,
+            safe_radius: weak_hinge.and_then(|hinge| possible_radius(spec, case, star, hinge)),
+        })
     }
 }
 
@@ -174,7 +185,7 @@ impl SealLoad {
         match bursting {
             Bursting::No => None,
             Bursting::Perhaps => {
-                let holds = match self.burst_range {
+                let limits = match self.burst_range {
                     // Rounded outwards: the pressure lies between them.
                     Some([low, high]) => {
                         format!("it holds {:.1} to {:.1} kPa", -tenths_up(-low.0), tenths_up(high.0))
@@ -182,7 +193,7 @@ impl SealLoad {
                     None => "how far it holds is unknown".to_owned(),
                 };
                 Some(format!(
-                    "the seal may burst at the {}: {holds}, burst margin {margin:.2}; {remedy}",
+                    "the seal may burst at the {}: {limits}, burst margin {margin:.2}; {remedy}",
                     self.place
                 ))
             }

@@ -15,7 +15,7 @@ use spec::Spec;
 use spec::units::{Length, Percent, Pressure, Readable};
 
 /// Writes the values of `outcome` by the model of `inflated` into `star`.
-pub(super) fn fill(
+pub(super) fn write_outcome(
     star: &mut StarPrediction,
     case: &Case,
     inflated: &Inflated<'_>,
@@ -67,9 +67,10 @@ pub(super) fn fill(
 
 /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
 /// shells of stars, or where the model refuses.
-pub(super) fn nonlinear(
+pub(super) fn nonlinear_variant(
     case: &Case,
-    (inflated, linear): (&Inflated<'_>, &Outcome),
+    inflated: &Inflated<'_>,
+    linear: &Outcome,
     accepted: Percent,
     warnings: &mut Vec<PredictionWarning>,
 ) -> Option<Nonlinear> {
@@ -112,12 +113,14 @@ pub(super) fn nonlinear(
 /// Fills the ranges of `outcome` in the units of a prediction into `ranges`, which has those of the seal; `stiffness` is that of the hinges.
 fn fill_ranges(ranges: &mut StarRanges, case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) {
     let predicted = &outcome.ranges;
-    let factors = predicted.hinge(case);
-    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(factors?, of(stiffness.as_ref()?)));
+    let hinges = predicted.hinge(case).zip(stiffness).map(|(factors, stiffness)| {
+        [stiffness.tip, stiffness.corner].map(|stiffness| scaled(factors, stiffness))
+    });
     ranges.final_radius_mm = predicted.radius.map(|range| range.map(mm));
     ranges.contraction = outcome.contraction_range(case);
     ranges.tip_equilibrium_angle_deg = predicted.angle.map(|range| range.map(f64::to_degrees));
-    ranges.hinge_stiffness_Nm = Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) };
+    ranges.hinge_stiffness_Nm =
+        Hinges { tip: hinges.map(|[tip, _]| tip), corner: hinges.map(|[_, corner]| corner) };
     ranges.radial_stiffness_N_per_m = predicted.stiffness;
     ranges.object_force_N = outcome.force_range;
     ranges.payload_kg = outcome.payload_range;
@@ -127,7 +130,7 @@ fn fill_ranges(ranges: &mut StarRanges, case: &Case, outcome: &Outcome, stiffnes
 const WEAVE_NOT_USED: &str = "not used: this model is for isotropic fabric";
 
 /// All of one star that depends on no model.
-pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
+pub(super) fn without_model(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
     StarPrediction {
         arm_length_mm: part.star.l,
         hole_radius_mm: mm(case.hole),
@@ -161,7 +164,7 @@ fn width_of(state: &HingeState) -> Option<f64> {
 }
 
 /// Warnings about a star that cannot move as the mechanism assumes.
-pub(super) fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
+pub(super) fn geometry_warnings(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();
     if outcome.rest.equilibrium < outcome.rest.angle {

@@ -44,7 +44,7 @@ impl PredictFault {
 }
 
 /// `fault` of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
-pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
+pub(super) fn located(star: usize, spec: &Spec, part: &StarDesign, fault: &StarFault) -> PredictFault {
     let case = Case::of_part(spec, part).ok();
     let mended = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
     if let Some((key, remedy)) = mended {

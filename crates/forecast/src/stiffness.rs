@@ -134,10 +134,10 @@ impl VBench {
         let w = hinge.width;
         let [least_tau, .., most_tau] = arms::TAUS;
         // B = Y (W tau)^2, and 1/eps = p W^3 / B is 100 at least and p W / Y = tau^2 / eps.
-        let of_tau = |tau: f64| stretch * (w * tau).powi(2);
-        let highest = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
-        let lowest =
-            of_tau(least_tau * libm::exp(-arms::SLACK)).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
+        let [thinnest, thickest] =
+            [least_tau * libm::exp(-arms::SLACK), most_tau].map(|tau| stretch * (w * tau).powi(2));
+        let highest = thickest.min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
+        let lowest = thinnest.max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
         // Values at the table's edge are left out.
         let (lowest, highest) = (1.001 * lowest, 0.999 * highest);
         if lowest.is_nan() || lowest >= highest || pressure * w / stretch > STRETCH[1] {

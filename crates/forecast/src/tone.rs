@@ -57,19 +57,20 @@ mod tests {
 
     #[test]
     fn a_drawing_is_good_only_below_the_whole_range_of_its_burst_pressure() {
-        let tone = |pressure: f64, range: Option<[f64; 2]>, warnings: &[&str]| {
+        let range = Some([20.0, 30.0]);
+        for (pressure, range, warnings, tone) in [
+            (10.0, range, &[][..], Tone::Good),
+            (10.0, range, &["leaves-plane: it may bend"], Tone::Fair),
+            (10.0, None, &[], Tone::Fair),
+            (25.0, range, &[], Tone::Fair),
+            (31.0, range, &[], Tone::Bad),
+        ] {
             let mut prediction = DrawnPrediction { model: "shell", ..DrawnPrediction::default() };
             prediction.pressure_kPa = Some(pressure);
             prediction.burst_range_kPa = range;
             prediction.evidence.warnings = warnings.iter().map(|text| (*text).to_owned().into()).collect();
-            prediction.tone()
-        };
-        let range = Some([20.0, 30.0]);
-        assert_eq!(tone(10.0, range, &[]), Tone::Good);
-        assert_eq!(tone(10.0, range, &["leaves-plane: it may bend"]), Tone::Fair);
-        assert_eq!(tone(10.0, None, &[]), Tone::Fair);
-        assert_eq!(tone(25.0, range, &[]), Tone::Fair);
-        assert_eq!(tone(31.0, range, &[]), Tone::Bad);
+            assert_eq!(prediction.tone(), tone, "{pressure} {range:?}");
+        }
         assert_eq!(DrawnPrediction { model: "none", ..DrawnPrediction::default() }.tone(), Tone::Plain);
     }
 }

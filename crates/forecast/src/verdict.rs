@@ -9,7 +9,7 @@ use crate::outcome::Grip;
 use crate::prediction::StackPayload;
 pub use crate::prediction::{Holds, Verdict};
 use crate::prediction::{Prediction, StarPrediction, groups_of_equals};
-use crate::ranges::shown::{apart, listed};
+use crate::ranges::shown::{distinct, listed};
 use design::{Object, Refusal, RefusalCode, Stand};
 use inflatable::mechanics::strength::GRAVITY;
 use spec::units::{Force, Mass, tenths_up};
@@ -20,13 +20,13 @@ pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
     let stars = &prediction.stars[..];
     let load = spec.load.as_ref()?;
     let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let judged = VerdictLines::of(spec, load, prediction);
+    let judged = VerdictLines::new(spec, load, prediction);
     let hardest = stars
         .iter()
         .filter(|star| star.object_force_N.is_some())
         .max_by(|a, b| a.object_force_N.unwrap_or(0.0).total_cmp(&b.object_force_N.unwrap_or(0.0)));
     Some(Verdict {
-        holds: judged.holds(),
+        holds: judged.answer(),
         code: judged.code(),
         force_N: force(stars),
         force_range_N: force_range(stars),
@@ -46,7 +46,7 @@ pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
 /// mass, breaks the object, or no model covers it. Empty if none of this is certain, or without a load.
 pub fn refusals(spec: &Spec, prediction: &Prediction) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
-    let judged = VerdictLines::of(spec, load, prediction);
+    let judged = VerdictLines::new(spec, load, prediction);
     // One star that holds the object will do.
     let idle = judged.is_idle();
     let counts = |finding: &&VerdictLine| match finding.weight {
@@ -81,10 +81,11 @@ pub fn of_stars(numbers: &[usize], text: &str) -> String {
 
 /// m g / mu, N.
 fn needed_force(load: &Load) -> Option<f64> {
-    needed_at(load, load.friction?)
+    required_force(load, load.friction?)
 }
 
-fn needed_at(load: &Load, friction: f64) -> Option<f64> {
+/// The radial force that friction of this coefficient needs to carry the mass, N.
+fn required_force(load: &Load, friction: f64) -> Option<f64> {
     let Mass(mass) = load.mass?;
     Some(mass * GRAVITY / friction)
 }
@@ -134,18 +135,18 @@ struct VerdictLines {
 }
 
 impl VerdictLines {
-    fn of(spec: &Spec, load: &Load, prediction: &Prediction) -> Self {
+    fn new(spec: &Spec, load: &Load, prediction: &Prediction) -> Self {
         let stars = &prediction.stars[..];
         // Equal stars are judged together.
         let groups = groups_of_equals(stars);
-        let several = groups.len() > 1;
         let lets_in = |star: &StarPrediction| {
             load.object_radius.is_some_and(|widest| widest.0 <= star.hole_radius_mm + ROUNDING)
         };
         let enters = [stars.first(), stars.last()].into_iter().flatten().any(lets_in);
-        let mut judged = Self { stars: if several { stars.len() } else { 1 }, enters, ..Self::default() };
+        let mut judged =
+            Self { stars: if groups.len() > 1 { stars.len() } else { 1 }, enters, ..Self::default() };
         for (star, numbers) in groups {
-            judged.star(spec, load, (numbers[0], star), if several { &numbers } else { &[] });
+            judged.star(spec, load, star, &numbers);
         }
         if load.object_radius.is_some() && !judged.is_refuted() {
             judged.mass(load, stars, prediction.payload());
@@ -156,7 +157,7 @@ impl VerdictLines {
         judged
     }
 
-    fn has(&self, weight: Weight) -> bool {
+    fn has_weight(&self, weight: Weight) -> bool {
         self.findings.iter().any(|finding| finding.weight == weight)
     }
 
@@ -167,11 +168,12 @@ impl VerdictLines {
     }
 
     fn is_refuted(&self) -> bool {
-        self.has(Weight::Refuted) || self.is_idle()
+        self.has_weight(Weight::Refuted) || self.is_idle()
     }
 
-    fn holds(&self) -> Holds {
-        match (self.is_refuted(), self.has(Weight::Doubted) || self.has(Weight::Unknown)) {
+    /// Whether the gripper holds the object.
+    fn answer(&self) -> Holds {
+        match (self.is_refuted(), self.has_weight(Weight::Doubted) || self.has_weight(Weight::Unknown)) {
             (true, _) => Holds::No,
             (_, true) => Holds::Unknown,
             _ => Holds::Yes,
@@ -190,9 +192,9 @@ impl VerdictLines {
     }
 
     fn add(&mut self, weight: Weight, stars: &[usize], refusal: Refusal) {
-        let same =
+        let equal =
             self.findings.iter_mut().find(|finding| finding.weight == weight && finding.refusal == refusal);
-        match same {
+        match equal {
             Some(finding) => {
                 finding.stars.extend(stars);
                 finding.stars.sort_unstable();
@@ -207,7 +209,9 @@ impl VerdictLines {
         self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
     }
 
-    fn star(&mut self, spec: &Spec, load: &Load, (first, star): (usize, &StarPrediction), numbers: &[usize]) {
+    /// Adds the findings about `star` and those that equal it, `group` by number. They are named where other stars differ.
+    fn star(&mut self, spec: &Spec, load: &Load, star: &StarPrediction, group: &[usize]) {
+        let numbers = if self.stars > 1 { group } else { &[] };
         if let Some(refusal) = bursts(load, star) {
             self.add(Weight::Refuted, numbers, refusal);
         }
@@ -218,21 +222,22 @@ impl VerdictLines {
             return self.add(Weight::Unknown, numbers, refusal);
         }
         let Some(object) = star.object_radius_mm else { return };
-        if let Some(refusal) = spec.stars.get(first - 1).and_then(|part| too_wide_to_enter(spec, part, star))
+        if let Some(refusal) =
+            spec.stars.get(group[0] - 1).and_then(|part| too_wide_to_enter(spec, part, star))
         {
             return self.blocks(numbers, refusal);
         }
-        if let Some(refusal) = idle(load, star, object) {
+        if let Some(refusal) = size_refusal(load, star, object) {
             return self.add(Weight::Idle, numbers, refusal);
         }
         for reason in doubts(load, star, object) {
             self.doubt(numbers, reason);
         }
         // A flap that folds at once adds nothing: only the tube's own force is sure.
-        if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
-            && range[0] > bears
+        if let Some((Force(limit), range)) = load.largest_force.zip(star.ranges.object_force_N)
+            && range[0] > limit
         {
-            self.add(Weight::Refuted, numbers, too_hard(range, bears));
+            self.add(Weight::Refuted, numbers, too_hard(range, limit));
         }
     }
 
@@ -248,25 +253,25 @@ impl VerdictLines {
 
     /// Compares the mass with `payload`, and names what limits that: friction, the object's slope, or the arms.
     fn mass(&mut self, load: &Load, stars: &[StarPrediction], payload: StackPayload) {
-        let needed = needed_force(load);
-        // The least friction needs most.
-        let ends = load.friction_range().map(|range| range.map(|friction| needed_at(load, friction)));
-        let ends = ends.and_then(|[most, least]| Some([least?, most?]));
+        // The least friction needs the largest force.
+        let ends = load.friction_range().map(|range| range.map(|friction| required_force(load, friction)));
+        let ends = ends.and_then(|[largest, smallest]| Some([smallest?, largest?]));
         let carried = load.mass.map(|mass| mass.0).zip(payload.range_kg);
         let doubt = match (ends, force_range(stars), force(stars)) {
-            (Some([needed, _]), Some(range), _) if range[1] < needed => {
-                return self.add(Weight::Refuted, &[], too_heavy(load, range, needed, payload));
+            (Some([required, _]), Some(range), _) if range[1] < required => {
+                return self.add(Weight::Refuted, &[], too_heavy(load, range, required, payload));
             }
-            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [_, most])| most < mass) => {
+            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [_, high])| high < mass) => {
                 return self.add(Weight::Refuted, &[], too_heavy_for_stars(load, stars, payload));
             }
-            (Some([_, needed]), Some([low, _]), _) if low < needed => {
-                let least = load.friction_range().map_or(0.0, |[least, _]| least);
-                let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
-                let [needed, low] = apart(needed, low);
-                format!("friction{of} needs {needed} N, but there may be only {low} N")
+            (Some([_, required]), Some([low, _]), _) if low < required => {
+                let friction = load.friction_range().map_or(0.0, |[friction, _]| friction);
+                let value =
+                    if load.friction == Some(friction) { String::new() } else { format!(" of {friction}") };
+                let [required, low] = distinct(required, low);
+                format!("friction{value} needs {required} N, but there may be only {low} N")
             }
-            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [least, _])| least < mass) => {
+            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [low, _])| low < mass) => {
                 may_be_too_heavy(load, stars, payload)
             }
             // A mass is carried by friction only.
@@ -274,13 +279,13 @@ impl VerdictLines {
                 "[load] has a mass, but no friction: whether the gripper carries it is unknown; bare fabric has about 0.3"
                     .to_owned()
             }
-            (_, None, None) if self.has(Weight::Idle) && !self.has(Weight::Doubted) => {
+            (_, None, None) if self.has_weight(Weight::Idle) && !self.has_weight(Weight::Doubted) => {
                 "the force of all stars together is unknown: not each of them closes around the object".to_owned()
             }
             (_, None, Some(force)) => {
-                let needs =
-                    needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
-                format!("the model's force is {force:.1} N,{needs} but its error is unknown")
+                let requirement = needed_force(load)
+                    .map_or(String::new(), |required| format!(" and friction needs {required:.1} N,"));
+                format!("the model's force is {force:.1} N,{requirement} but its error is unknown")
             }
             _ => return,
         };
@@ -289,17 +294,17 @@ impl VerdictLines {
 }
 
 /// The reason why `star`, which the object enters, certainly does not hold it where it has the radius `object` (mm).
-fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
-    let [least, most] = star.graspable_radius_mm?;
+fn size_refusal(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
+    let [smallest, largest] = star.graspable_radius_mm?;
     if star.hold == Some(Grip::Beside) {
         return Some(too_short(load));
     }
     // Where the range is known, the object may lie within it.
-    let [sure, _] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
-    if object < sure {
-        return Some(too_thin(load, object, sure, held_sizes(star)));
+    let [closed, _] = star.ranges.final_radius_mm.unwrap_or([smallest; 2]);
+    if object < closed {
+        return Some(too_thin(load, object, closed, held_sizes(star)));
     }
-    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held_sizes(star)))
+    (object > largest + ROUNDING).then(|| too_wide_to_open(load, object, largest, held_sizes(star)))
 }
 
 /// The doubt that `star`, whose tube presses no harder than the object bears, `bears` N, does so while its flap stays straight.
@@ -330,8 +335,8 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
         return reasons;
     }
     if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
-        let across = tenths_up(2.0 * high);
-        reasons.push(format!("it may close only to {across:.1} mm across, and not reach the object"));
+        let diameter = tenths_up(2.0 * high);
+        reasons.push(format!("it may close only to {diameter:.1} mm across, and not reach the object"));
     } else {
         reasons.extend(may_not_press(load, star, object));
     }

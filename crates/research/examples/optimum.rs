@@ -66,7 +66,7 @@ impl Problem {
             ..base.load
         };
         let mut bounds =
-            SearchBounds { points: POINTS, tip_angle: [15.0, 75.0].map(Angle), ..SearchBounds::just(&base) };
+            SearchBounds { points: POINTS, tip_angle: [15.0, 75.0].map(Angle), ..SearchBounds::fixed(&base) };
         match (3.0 * dice.throw()).floor() {
             0.0 => bounds.inner_radius = [0.7, 1.5].map(|part| Length(part * hole)),
             1.0 => bounds.pressure = Some([0.5, 1.5].map(|part| Pressure(part * pressure))),
@@ -210,7 +210,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words = words.split(|word| word == "shell").next().unwrap_or_default();
     let numbers: Vec<u32> = words.iter().map(|word| word.parse()).collect::<Result<_, _>>()?;
     let wanted = numbers.first().copied().unwrap_or(20);
-    let paper = Candidate::of(&read(&Source::new("starter", starter("x")?))?.spec).ok_or("no star")?;
+    let paper = Candidate::from_spec(&read(&Source::new("starter", starter("x")?))?.spec).ok_or("no star")?;
     let table = RingTable::new()?;
     let mut dice = Dice(11);
     if let Some(shells) = shells {

@@ -64,7 +64,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
         "parts": parts(report),
         "loads": loads(report),
-        "flat": stars(design).iter().map(|part| short(&json!(Pose::of(&PosedStar::flat(&part.star))))).collect::<Vec<_>>(),
+        "flat": stars(design).iter().map(|part| short(&json!(Pose::new(&PosedStar::flat(&part.star))))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
         "charts": report.charts.iter().map(|charts| short(&json!(charts))).collect::<Vec<_>>(),

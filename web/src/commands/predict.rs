@@ -46,7 +46,7 @@ fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), S
         return Ok((drawn::text::text(spec, &prediction, false), json!(prediction)));
     }
     let prediction = if spec.accuracy.model == ModelChoice::Shell {
-        star::predict((spec, design), &[], DETAIL, &watch)?.0
+        star::predict(spec, design, &[], DETAIL, &watch)?.0
     } else {
         predicted(spec, design).map_err(ShellRefusal::Fault)?
     };

@@ -35,13 +35,11 @@ impl DrawnChamber {
 /// # Errors
 /// If the edges enclose no chamber, or the fabric is invalid.
 pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnChamber>, PredictFault> {
-    let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
-    let elastic_sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
-    let fabric_weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
-    let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
-        .map_err(|fault| refused(fault.to_string()))?;
+    let elastic_sheet = sheet(&spec.fabric).map_err(drawing_fault)?;
+    let fabric_weave = weave(&spec.fabric).map_err(drawing_fault)?;
+    let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes()).map_err(drawing_fault)?;
     if flats.is_empty() {
-        return Err(refused("the drawing's edges enclose no air".to_owned()));
+        return Err(drawing_fault("the drawing's edges enclose no air"));
     }
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {
@@ -55,6 +53,10 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
         flat,
     };
     Ok(flats.into_iter().map(chamber).collect())
+}
+
+fn drawing_fault(problem: impl ToString) -> PredictFault {
+    PredictFault::new(key::drawing::FILE, problem.to_string())
 }
 
 /// mm in a metre.

@@ -177,8 +177,7 @@ impl ChamberPrediction {
         let (flat, fabric) = (&chamber.flat, &chamber.region.fabric);
         let bounds = flat.outline.bounds();
         let width = chamber.region.chamber.widest();
-        let ratio_of_pressure =
-            |of: &dyn Fn(f64) -> f64| pressure.map(|pressure| six(of(pressure.pascals())));
+        let pascals = pressure.map(Pressure::pascals);
         Self {
             chamber: number,
             at_mm: [bounds.center().x, bounds.center().y].map(six),
@@ -187,8 +186,8 @@ impl ChamberPrediction {
                 flat.area() - flat.islands.iter().map(|island| island.area().abs()).sum::<f64>()
             ),
             flat_extents_mm: [bounds.width(), bounds.height()].map(six),
-            bendability: ratio_of_pressure(&|p| p * width.powi(3) / fabric.bending),
-            stretch: ratio_of_pressure(&|p| p * width / fabric.stretch),
+            bendability: pascals.map(|p| six(p * width.powi(3) / fabric.bending)),
+            stretch: pascals.map(|p| six(p * width / fabric.stretch)),
             ..Self::default()
         }
     }
@@ -207,13 +206,12 @@ impl ChamberPrediction {
         // Folds may pull harder than their mean.
         let opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
         let burst = opening.as_ref().map(|(_, burst)| *burst);
-        let kpa = |pascals: f64| six(Pressure::from_pascals(pascals).0);
         self.bursts_first =
             opening.filter(|_| processes.differ()).map(|(seam, (burst, range))| FirstOpening {
                 process: processes.process(&seam).to_owned(),
                 seam,
-                pressure_kPa: kpa(burst),
-                range: range.map(kpa),
+                pressure_kPa: rounded_kpa(burst),
+                range: range.map(rounded_kpa),
             });
         self.wrinkles = Some(match region.wrinkles {
             Wrinkles::Resolved => "resolved",
@@ -227,8 +225,8 @@ impl ChamberPrediction {
             .map(|pull| AveragedRanges::new(region.bendability, height, extents, volume, pull));
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
-        self.burst_pressure_kPa = burst.map(|(burst, _)| kpa(burst));
-        self.burst_range_kPa = burst.map(|(_, range)| range.map(kpa));
+        self.burst_pressure_kPa = burst.map(|(burst, _)| rounded_kpa(burst));
+        self.burst_range_kPa = burst.map(|(_, range)| range.map(rounded_kpa));
         self.largest_stretch = Some(MeshedPlace::rounded(region.stretch, region.stretch_at));
         self.largest_tension_N_per_mm =
             Some(MeshedPlace::rounded(region.tension.scaled(1e-3), region.tension_at));
@@ -265,14 +263,18 @@ impl ChamberPrediction {
     }
 }
 
+fn rounded_kpa(pascals: f64) -> f64 {
+    six(Pressure::from_pascals(pascals).0)
+}
+
 impl DrawnPrediction {
     /// Adds the values that depend on all chambers at `pressure`.
     pub(super) fn of_all(&mut self, pressure: Pressure) {
         let chambers = &self.chambers;
-        let volumes = || chambers.iter().filter_map(|chamber| chamber.volume_mm3);
+        let volumes: Vec<MeshedValue> = chambers.iter().filter_map(|chamber| chamber.volume_mm3).collect();
         self.volume_mm3 = Some(MeshedValue {
-            value: six(volumes().map(|volume| volume.value).sum()),
-            mesh_error: six(volumes().map(|volume| volume.mesh_error).sum()),
+            value: six(volumes.iter().map(|volume| volume.value).sum()),
+            mesh_error: six(volumes.iter().map(|volume| volume.mesh_error).sum()),
         });
         let bursting =
             chambers.iter().filter_map(|one| Some((one.burst_pressure_kPa?, one.burst_range_kPa?)));
@@ -296,12 +298,11 @@ impl DrawnPrediction {
         let of_chamber = |one: &ChamberPrediction| {
             let place = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
             let seams = one.seams.iter().flatten();
-            let largest = |pull: MeshedPlace| match one.ranges {
-                Some(_) => pull_range(pull)[1],
-                None => pull.value,
-            };
-            let pulls = seams
-                .map(|seam| (Some(LineForce(largest(seam.pull_N_per_mm))), format!("{}{place}", seam.seam)));
+            let pulls = seams.map(|seam| {
+                let pull = seam.pull_N_per_mm;
+                let largest = if one.ranges.is_some() { pull_range(pull)[1] } else { pull.value };
+                (Some(LineForce(largest)), format!("{}{place}", seam.seam))
+            });
             let mut loads: Vec<_> = pulls.collect();
             if loads.is_empty() {
                 loads.push((None, format!("seams{place}")));
@@ -313,7 +314,7 @@ impl DrawnPrediction {
 
     /// Whether the seal bursts at the pressure; `None` if unknown.
     pub fn bursting(&self) -> Option<Bursting> {
-        Some(Bursting::at(self.pressure_kPa?, self.burst_pressure_kPa?, self.burst_range_kPa))
+        Some(Bursting::at_pressure(self.pressure_kPa?, self.burst_pressure_kPa?, self.burst_range_kPa))
     }
 
     /// The refusal of a seal that certainly bursts.

@@ -114,19 +114,23 @@ fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
 
 fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {
     // Each edge of a weld's band bears the pull of its own side. Between chambers of different pressure one side may bear all of it.
-    let place = |pull: &SeamPull| {
-        let share = if matches!(pull.seam, RegionSeam::Weld(_)) && !is_parted { 0.5 } else { 1.0 };
-        MeshedPlace::rounded(pull.pull.scaled(share * 1e-3), pull.at)
-    };
+    let places: Vec<MeshedPlace> = pulls
+        .iter()
+        .map(|pull| {
+            let share = if matches!(pull.seam, RegionSeam::Weld(_)) && !is_parted { 0.5 } else { 1.0 };
+            MeshedPlace::rounded(pull.pull.scaled(share * 1e-3), pull.at)
+        })
+        .collect();
     // Compared on the finest mesh, as in the shell.
-    let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
-    let row = |pull: &&SeamPull| {
-        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = place(pull);
+    let (largest, _) =
+        places.iter().zip(pulls).max_by(|(_, a), (_, b)| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
+    let row = |place: &MeshedPlace| {
+        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = *place;
         [x, y, value, mesh_error]
     };
     Some(SeamPrediction {
         seam,
-        pull_N_per_mm: place(largest),
-        along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
+        pull_N_per_mm: *largest,
+        along: places.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
     })
 }

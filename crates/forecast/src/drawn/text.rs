@@ -109,7 +109,7 @@ fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
 /// `value` with its range, which contains the mesh error; without a range with its mesh error.
 fn number(value: MeshedValue, range: Option<Interval>, unit: &str) -> String {
     match range {
-        Some(range) => shown::with(value.value, range, unit),
+        Some(range) => shown::with_range(value.value, range, unit),
         None => shown::meshed(value.value, value.mesh_error, unit),
     }
 }

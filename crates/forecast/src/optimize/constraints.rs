@@ -148,10 +148,10 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             shortfalls.add(Constraint::Touching, if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 });
         }
         if let Some([close, open]) = constraints.grasp {
-            let mm = |metres: f64| Length::from_metres(metres).0;
-            let widest = mm(grip.rest.widest.radius);
             let least_sure = grip.ranges.radius.map_or(grip.rest.radius, |[_, high]| high);
-            shortfalls.add(Constraint::Closing, excess(mm(least_sure), close.0));
+            let [widest, least_sure] =
+                [grip.rest.widest.radius, least_sure].map(|metres| Length::from_metres(metres).0);
+            shortfalls.add(Constraint::Closing, excess(least_sure, close.0));
             shortfalls.add(Constraint::Opening, short(Some(widest), open.0 * (1.0 + ROUNDING)));
         }
         let entering =

@@ -2,13 +2,15 @@
 
 use crate::optimize::Evaluation;
 
+/// The values to minimise.
+fn goals(candidate: &Evaluation) -> [f64; 3] {
+    let outcome = candidate.answer.outcome.as_ref();
+    let stiffness = outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0);
+    [-outcome.map_or(0.0, |outcome| outcome.contraction), -stiffness, candidate.fabric()]
+}
+
 /// The candidates that no other beats in all three goals at once.
 pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
-    let goals = |c: &Evaluation| {
-        let outcome = c.answer.outcome.as_ref();
-        let stiffness = outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0);
-        [-outcome.map_or(0.0, |outcome| outcome.contraction), -stiffness, c.fabric()]
-    };
     candidates.sort_by(|a, b| {
         let (a, b) = (goals(a), goals(b));
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))

@@ -61,7 +61,7 @@ pub struct SearchBounds {
 
 impl SearchBounds {
     /// The box that holds `base` alone.
-    pub fn just(base: &Candidate) -> Self {
+    pub fn fixed(base: &Candidate) -> Self {
         let star = &base.star;
         Self {
             points: star.points..=star.points,
@@ -185,7 +185,7 @@ impl<'a> DesignSearch<'a> {
     }
 
     /// The design with `points` points at `place`; `None` if it does not exist, cannot be cut out, or the search is cancelled.
-    fn at(&self, points: u32, place: &UnitPoint) -> Option<Evaluation> {
+    fn evaluated(&self, points: u32, place: &UnitPoint) -> Option<Evaluation> {
         if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
             return None;
         }
@@ -252,8 +252,8 @@ impl<'a> DesignSearch<'a> {
 
     /// `point`, whose values are `answer`, with its violation of the constraints.
     fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
-        let shortfalls = shortfalls(&point, answer, self.constraints);
-        let violation = shortfalls.iter().map(|shortfall| shortfall.part).sum();
+        let missed = shortfalls(&point, answer, self.constraints);
+        let violation = missed.iter().map(|shortfall| shortfall.part).sum();
         Evaluation { point, answer: *answer, violation }
     }
 
@@ -263,7 +263,7 @@ impl<'a> DesignSearch<'a> {
         let varied: Vec<usize> = (0..AXES).filter(|&k| sides[k][1] > sides[k][0]).collect();
         let scanned = (1..=if varied.is_empty() { 1 } else { self.effort.scanned })
             .map(|index| scanned(index, &varied))
-            .filter_map(|place| Some((place, self.at(points, &place)?)));
+            .filter_map(|place| Some((place, self.evaluated(points, &place)?)));
         let mut scanned: Vec<(UnitPoint, Evaluation)> = scanned.collect();
         scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
@@ -272,8 +272,8 @@ impl<'a> DesignSearch<'a> {
         if varied.is_empty() {
             return evaluations;
         }
-        for start in starts {
-            self.descend(points, start, &varied, &mut evaluations);
+        for (place, start) in starts {
+            evaluations.extend(self.descent(points, place, start, &varied));
         }
         // A design with fewer stars is a step away that no descent takes: each lower number is searched by itself, from its least
         // violation.
@@ -290,26 +290,20 @@ impl<'a> DesignSearch<'a> {
             };
             let places = scanned.iter().map(missed);
             let Some((place, _)) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
-            let Some(start) = fewer.at(points, &place).map(|one| (place, one)) else { continue };
-            fewer.descend(points, start, &varied, &mut evaluations);
+            let Some(start) = fewer.evaluated(points, &place) else { continue };
+            evaluations.extend(fewer.descent(points, place, start, &varied));
         }
         evaluations
     }
 
-    /// The search downwards from `start`; all designs on the way go to `evaluations`.
-    fn descend(
-        &self,
-        points: u32,
-        start: (UnitPoint, Evaluation),
-        varied: &[usize],
-        evaluations: &mut Vec<Evaluation>,
-    ) {
-        let (mut place, mut best) = start;
+    /// All designs on the way downwards from `start`, the design at `place`.
+    fn descent(&self, points: u32, place: UnitPoint, start: Evaluation, varied: &[usize]) -> Vec<Evaluation> {
+        let (mut place, mut best, mut evaluations) = (place, start, Vec::new());
         let (mut step, mut failed) = (0.1, 0);
         for round in 0..self.effort.polls {
             let mut moved = false;
             for trial in polled(place, step, varied, round) {
-                let Some(next) = self.at(points, &trial) else { continue };
+                let Some(next) = self.evaluated(points, &trial) else { continue };
                 evaluations.push(next.clone());
                 if compare(&next, &best, self.goal).is_lt() {
                     (place, best, moved) = (trial, next, true);
@@ -326,6 +320,7 @@ impl<'a> DesignSearch<'a> {
                 break;
             }
         }
+        evaluations
     }
 }
 
@@ -336,22 +331,24 @@ pub fn thousandths(value: f64) -> f64 {
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
 fn compare(a: &Evaluation, b: &Evaluation, goal: Goal) -> Ordering {
-    let cost = |candidate: &Evaluation| {
-        let outcome = candidate.answer.outcome.as_ref();
-        match goal {
-            Goal::Contraction => -outcome.map_or(0.0, |outcome| outcome.contraction),
-            Goal::Stiffness => -outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0),
-            Goal::Payload => -sure_payload(&candidate.point, &candidate.answer).unwrap_or(0.0),
-            Goal::Fabric => candidate.fabric(),
-        }
-    };
     a.violation
         .total_cmp(&b.violation)
-        .then(cost(a).total_cmp(&cost(b)))
+        .then(a.cost(goal).total_cmp(&b.cost(goal)))
         .then(a.fabric().total_cmp(&b.fabric()))
 }
 
 impl Evaluation {
+    /// The value that `goal` minimises.
+    fn cost(&self, goal: Goal) -> f64 {
+        let outcome = self.answer.outcome.as_ref();
+        match goal {
+            Goal::Contraction => -outcome.map_or(0.0, |outcome| outcome.contraction),
+            Goal::Stiffness => -outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0),
+            Goal::Payload => -sure_payload(&self.point, &self.answer).unwrap_or(0.0),
+            Goal::Fabric => self.fabric(),
+        }
+    }
+
     /// Fabric of all stars, mm^2.
     pub fn fabric(&self) -> f64 {
         self.answer.fabric.map_or(f64::INFINITY, |area| f64::from(self.point.stars) * area)

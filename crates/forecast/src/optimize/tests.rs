@@ -6,12 +6,12 @@ use spec::{ModelChoice, Source, read, starter};
 fn base() -> Candidate {
     let load = "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"400 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";
     let text = starter("x").expect("a name") + load;
-    let base = Candidate::of(&read(&Source::new("x", text)).expect("valid").spec).expect("a star");
+    let base = Candidate::from_spec(&read(&Source::new("x", text)).expect("valid").spec).expect("a star");
     Candidate { model: ModelChoice::Ring, ..base }
 }
 
 fn bounds() -> SearchBounds {
-    SearchBounds { points: 3..=9, ..SearchBounds::just(&base()) }
+    SearchBounds { points: 3..=9, ..SearchBounds::fixed(&base()) }
 }
 
 fn table() -> RingTable {
@@ -71,7 +71,7 @@ fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
         width: [12.0, 29.0].map(Length),
         points: 4..=6,
         stars: 1..=4,
-        ..SearchBounds::just(&base)
+        ..SearchBounds::fixed(&base)
     };
     let constraints =
         Constraints { payload: Some(0.6), grasp: Some([25.0, 38.0].map(Length)), ..Constraints::default() };
@@ -173,9 +173,9 @@ fn a_force_of_which_nothing_is_known_counts_for_nothing() {
     assert_eq!((sure_payload(&point, &answer), answer.payload), (None, None));
     let constraints = Constraints { payload: Some(0.1), largest_force: Some(1e3), ..Constraints::default() };
     let missed = shortfalls(&point, &answer, &constraints);
-    let is_short = |constraint| missed.iter().any(|shortfall| shortfall.constraint == constraint);
     for constraint in [Constraint::Payload, Constraint::Pressing, Constraint::Touching] {
-        assert!(is_short(constraint), "{constraint:?}: {missed:?}");
+        let is_short = missed.iter().any(|shortfall| shortfall.constraint == constraint);
+        assert!(is_short, "{constraint:?}: {missed:?}");
     }
 }
 

@@ -51,17 +51,15 @@ impl Ranges {
     /// Ranges of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
         let Some((place, wider)) = domain(case, inflated) else { return Self::default() };
-        let range_about =
-            |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
         let unit = errors::radius_unit(star.points);
         let by_fabric = errors::poisson_unit(case.sheet.poisson_ratio);
         let stiffer = wider * by_fabric * errors::stiffness_unit(star.points);
         // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;
-        let radius = range_about(rest.radius, errors::RADIUS, unit * star.width / star.sector_sine())
-            .map(|end| end.max(0.0));
-        let angle = range_about(rest.equilibrium, errors::ANGLE, unit);
+        let radius_unit = unit * star.width / star.sector_sine();
+        let radius = errors::RADIUS.map(|error| (rest.radius + wider * error * radius_unit).max(0.0));
+        let angle = errors::ANGLE.map(|error| rest.equilibrium + wider * error * unit);
         Self {
             domain: place,
             wider,
@@ -91,13 +89,10 @@ impl Ranges {
     /// a shell opens it by no more. So the upper end of the final radius stops widening with the pressure.
     #[must_use]
     pub fn bounded(self, edge: &Self, [radius, edge_radius]: [f64; 2]) -> Self {
-        let bound = |[low, high]: Interval, [_, edge_high]: Interval| {
+        let bounded = self.radius.zip(edge.radius).map(|([low, high], [_, edge_high])| {
             [low, high.min(edge_high + (radius - edge_radius).max(0.0))]
-        };
-        Self {
-            radius: self.radius.zip(edge.radius).map_or(self.radius, |(own, edge)| Some(bound(own, edge))),
-            ..self
-        }
+        });
+        Self { radius: bounded.or(self.radius), ..self }
     }
 
     /// Range of the radial force `force` (N) of `grasp` on an object of radius `rho` (m) within the star that rests at `rest`; `None`
@@ -183,28 +178,27 @@ impl TriedRatio {
     }
 
     /// How far it lies outside, from 0 where many stars were tried to 1 where ranges end: by its logarithm.
-    fn far(&self) -> f64 {
+    fn distance(&self) -> f64 {
         let ([low, high], [lowest, highest]) = (self.tried, self.reached);
         if self.x >= low && self.x <= high {
             return 0.0;
         }
-        let part =
-            |factor: f64, end: f64| if factor > EXACT { libm::log(factor) / libm::log(end) } else { 0.0 };
-        match self.x {
-            x if x.is_nan() => f64::INFINITY,
-            x if x >= low => part(x / high, highest / high),
-            x => part(low / x.max(0.0), low / lowest),
-        }
+        let (factor, end) = match self.x {
+            x if x.is_nan() => return f64::INFINITY,
+            x if x >= low => (x / high, highest / high),
+            x => (low / x.max(0.0), low / lowest),
+        };
+        if factor > EXACT { libm::log(factor) / libm::log(end) } else { 0.0 }
     }
 
     /// By how much ranges are wider for it; `None` too far out.
     fn widens(&self) -> Option<f64> {
-        (self.far() <= EXACT).then(|| self.widens_on())
+        (self.distance() <= EXACT).then(|| self.widens_on())
     }
 
     /// A ratio that widens on at that rate further out.
     pub(super) fn widens_on(&self) -> f64 {
-        1.0 + (self.wider - 1.0) * self.far()
+        1.0 + (self.wider - 1.0) * self.distance()
     }
 }
 
@@ -268,9 +262,9 @@ pub fn outside_by(case: &Case) -> f64 {
 }
 
 /// A message with the quantity of `case` outside of the validated domain: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
-pub fn outside(case: &Case) -> String {
+pub fn outside_domain(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };
-    let untried = places(case, pressure).into_iter().filter(|place| place.far() > 0.0);
+    let untried = places(case, pressure).into_iter().filter(|place| place.distance() > 0.0);
     let mut texts: Vec<String> = untried
         .map(|TriedRatio { what, x, tried: [low, high], .. }| {
             let [x, low, high] = [x, low, high].map(|x| Readable((1e4 * x).round() / 1e4));

@@ -18,9 +18,9 @@ pub fn listed(numbers: &[usize]) -> String {
 }
 
 /// `value` with its range, both in `unit`; without a range "unknown" in place of a number.
-pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String {
+pub fn optional_with_range(value: Option<f64>, range: Option<Interval>, unit: &str) -> String {
     match value.zip(range) {
-        Some((value, range)) => with(value, range, unit),
+        Some((value, range)) => with_range(value, range, unit),
         None => "unknown".to_owned(),
     }
 }
@@ -28,13 +28,13 @@ pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String 
 /// `value` with its range, both in `unit`; without a range to three digits, and that it is unknown.
 pub fn or_unknown(value: f64, range: Option<Interval>, unit: &str) -> String {
     match range {
-        Some(range) => with(value, range, unit),
+        Some(range) => with_range(value, range, unit),
         None => format!("{} {unit}", rounded(value)).trim_end().to_owned() + ", range unknown",
     }
 }
 
 /// `value` with its range, both in `unit`.
-pub fn with(value: f64, range: Interval, unit: &str) -> String {
+pub fn with_range(value: f64, range: Interval, unit: &str) -> String {
     with_limit(value, range, unit, None)
 }
 
@@ -52,12 +52,11 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     let ends = [end(low, fine, f64::floor, limit), end(high, rounding_step, f64::ceil, limit)];
     let [low, high] = ends.map(|(end, rounding_step)| text(end, rounding_step));
     let step_of_value = step_of(value, fine);
-    let keeps_inside = |rounding_step: f64| {
+    let keeps_inside = |rounding_step: &f64| {
         let (value, slack) = ((value / rounding_step).round() * rounding_step, 1e-6 * rounding_step);
         ends[0].0 <= value + slack && value <= ends[1].0 + slack
     };
-    let step_of_value =
-        finer(step_of_value).find(|rounding_step| keeps_inside(*rounding_step)).unwrap_or(step_of_value);
+    let step_of_value = finer(step_of_value).find(keeps_inside).unwrap_or(step_of_value);
     format!("{}{gap}{unit}, {low} to {high}", text(value, step_of_value))
 }
 
@@ -89,7 +88,7 @@ fn finer(step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Two numbers with as many decimals as tell them apart from each other and from 0, one at least.
-pub fn apart(a: f64, b: f64) -> [String; 2] {
+pub fn distinct(a: f64, b: f64) -> [String; 2] {
     let texts = |decimals: usize| [a, b].map(|number| format!("{number:.decimals$}"));
     let differ = |texts: &[String; 2]| {
         texts[0] != texts[1] && texts.iter().zip([a, b]).all(|(text, number)| number == 0.0 || !is_zero(text))
@@ -104,7 +103,7 @@ fn is_zero(text: &str) -> bool {
 
 /// `value` with as many decimals as tell it from both ends of a range, one at least.
 pub fn apart_from(value: f64, range: Interval) -> String {
-    let [low, high] = range.map(|end| apart(value, end)).map(|[text, _]| text);
+    let [low, high] = range.map(|end| distinct(value, end)).map(|[text, _]| text);
     if high.len() > low.len() { high } else { low }
 }
 
@@ -173,22 +172,22 @@ mod tests {
 
     #[test]
     fn digits_match_the_range() {
-        assert_eq!(with(12.345, [9.4, 14.6], "N"), "12 N, 9 to 15");
-        assert_eq!(with(17.3546, [16.91, 17.62], "mm"), "17.4 mm, 16.9 to 17.7");
-        assert_eq!(with(1234.5, [1012.0, 1450.0], "N/m"), "1230 N/m, 1010 to 1450");
-        assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
-        assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
-        assert_eq!(with(0.0, [0.0, 0.0], "N"), "0 N");
-        assert_eq!(with(18.2, [5.3, 131.0], "N"), "18 N, 5 to 140");
-        assert_eq!(with(0.037, [0.0234, 0.81], "kg"), "0.04 kg, 0.02 to 0.9");
+        assert_eq!(with_range(12.345, [9.4, 14.6], "N"), "12 N, 9 to 15");
+        assert_eq!(with_range(17.3546, [16.91, 17.62], "mm"), "17.4 mm, 16.9 to 17.7");
+        assert_eq!(with_range(1234.5, [1012.0, 1450.0], "N/m"), "1230 N/m, 1010 to 1450");
+        assert_eq!(with_range(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
+        assert_eq!(with_range(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
+        assert_eq!(with_range(0.0, [0.0, 0.0], "N"), "0 N");
+        assert_eq!(with_range(18.2, [5.3, 131.0], "N"), "18 N, 5 to 140");
+        assert_eq!(with_range(0.037, [0.0234, 0.81], "kg"), "0.04 kg, 0.02 to 0.9");
         assert_eq!(with_limit(24.0, [23.16, 96.5], "kPa", Some(23.0)), "24 kPa, 23.1 to 100");
-        assert_eq!(with(18.2, [0.03, 131.0], "N"), "20 N, 0 to 140");
+        assert_eq!(with_range(18.2, [0.03, 131.0], "N"), "20 N, 0 to 140");
     }
 
     #[test]
     fn ends_stay_on_their_side_of_the_limit() {
         let range_text = |limit: f64| with_limit(40.0, [15.33, 96.5], "kPa", Some(limit));
-        assert_eq!(with(40.0, [15.33, 96.5], "kPa"), "40 kPa, 10 to 100");
+        assert_eq!(with_range(40.0, [15.33, 96.5], "kPa"), "40 kPa, 10 to 100");
         assert_eq!(range_text(15.0), "40 kPa, 15.3 to 100");
         assert_eq!(range_text(15.4), "40 kPa, 10 to 100");
         assert_eq!(range_text(97.0), "40 kPa, 10 to 96.5");
@@ -215,11 +214,11 @@ mod tests {
 
     #[test]
     fn numbers_that_differ_are_printed_so() {
-        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
-        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
+        assert_eq!(distinct(7.7, 8.1), ["7.7", "8.1"]);
+        assert_eq!(distinct(7.712, 7.7041), ["7.71", "7.70"]);
         // The force that 0.3 g need is not "0.0 N".
-        assert_eq!(apart(0.0098, 0.1), ["0.01", "0.10"]);
-        assert_eq!(apart(0.0, 0.1), ["0.0", "0.1"]);
+        assert_eq!(distinct(0.0098, 0.1), ["0.01", "0.10"]);
+        assert_eq!(distinct(0.0, 0.1), ["0.0", "0.1"]);
     }
 
     #[test]
@@ -234,15 +233,15 @@ mod tests {
 
     #[test]
     fn what_is_not_known_has_no_number() {
-        assert_eq!(known(Some(3.0), None, "N"), "unknown");
-        assert_eq!(known(None, Some([1.0, 2.0]), "N"), "unknown");
+        assert_eq!(optional_with_range(Some(3.0), None, "N"), "unknown");
+        assert_eq!(optional_with_range(None, Some([1.0, 2.0]), "N"), "unknown");
     }
 
     #[test]
     fn the_ends_that_are_printed_hold() {
         for k in 1..500 {
             let (low, width) = (0.037 * f64::from(k), 0.011 * f64::from(k % 17 + 1));
-            let range_text = with(low, [low, low + width], "");
+            let range_text = with_range(low, [low, low + width], "");
             let ends: Vec<f64> = range_text.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
             assert!(ends[1] <= low + 1e-9 && ends[2] >= low + width - 1e-9, "{range_text}: {low} {width}");
         }

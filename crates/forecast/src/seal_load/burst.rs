@@ -4,7 +4,7 @@ use crate::case::Case;
 use crate::interval::Interval;
 use crate::ranges::shown;
 use crate::seal_load::pull::{
-    BENDABILITY, LoadedHinge, bounds, edge, factor, hardest, is_tried, pull, widest,
+    BENDABILITY, HingeSeal, LoadedHinge, bounds, edge, hardest, is_tried, pull, widest,
 };
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::ring::Ring;
@@ -25,11 +25,11 @@ pub enum Bursting {
 
 impl Bursting {
     /// At the pressure `pressure` of a seal that bursts at `burst`, with the range of that; all in one unit.
-    pub fn at(pressure: f64, burst: f64, range: Option<Interval>) -> Self {
-        let [least, most] = range.unwrap_or([0.0, burst]);
+    pub fn at_pressure(pressure: f64, burst: f64, range: Option<Interval>) -> Self {
+        let [low, high] = range.unwrap_or([0.0, burst]);
         match pressure {
-            _ if pressure > most => Self::Yes,
-            _ if pressure > least => Self::Perhaps,
+            _ if pressure > high => Self::Yes,
+            _ if pressure > low => Self::Perhaps,
             _ => Self::No,
         }
     }
@@ -42,40 +42,39 @@ pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> Str
     format!("the pressure is {pressure}, and the seal is predicted to burst at {burst}")
 }
 
-/// The kind of hinge whose seal peels first, its inner radius, m, and `k` there: the one with the largest pull, or with the largest part
-/// of its strength where tips and corners are sealed by processes of different strength. `None` as of [`hardest`].
-fn weakest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
+/// The seal of the hinges that peels first: the one with the largest pull, or with the largest part of its strength where tips and corners
+/// are sealed by processes of different strength. `None` as of [`hardest`].
+fn weakest(case: &Case, ring: &dyn HingeModel) -> Option<HingeSeal> {
     let (Some(tip_peel), Some(corner_peel)) = (case.peel.tip, case.peel.corner) else {
         return hardest(case, ring);
     };
     if tip_peel == corner_peel {
         return hardest(case, ring);
     }
-    let loaded = |hinge: LoadedHinge, peel: f64| {
-        let placed = (hinge, hinge.radius(case));
-        let k = factor(ring, placed.1 / case.mechanism.width)?;
-        Some((bursting(case, k, placed, peel), (k, placed)))
-    };
-    let (tip, corner) = (loaded(LoadedHinge::Tip, tip_peel)?, loaded(LoadedHinge::Corner, corner_peel)?);
+    let hinges = [(LoadedHinge::Tip, tip_peel), (LoadedHinge::Corner, corner_peel)];
+    let [tip, corner] = hinges.map(|(hinge, peel)| {
+        let seal = HingeSeal::new(case, hinge, ring)?;
+        Some((bursting(case, seal, peel), seal))
+    });
+    let (tip, corner) = (tip?, corner?);
     Some(if tip.0 <= corner.0 { tip.1 } else { corner.1 })
 }
 
 /// Pressure (Pa) at which the seal peels at its weakest hinge; `None` without a peel strength.
 pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
-    let (k, hinge) = weakest(case, ring)?;
-    Some(bursting(case, k, hinge, hinge.0.peel(case)?))
+    let seal = weakest(case, ring)?;
+    Some(bursting(case, seal, seal.hinge.peel(case)?))
 }
 
 /// The range of [`burst`], from that of the pull at this pressure; `None` where no shell had a hinge nearly as sharp.
 pub fn burst_range(case: &Case) -> Option<Interval> {
-    let (k, hinge) = weakest(case, &Ring)?;
-    if is_tried(case, hinge.1) { burst_bounds(case, k, hinge) } else { None }
+    let seal = weakest(case, &Ring)?;
+    if is_tried(case, seal.radius) { burst_bounds(case, seal) } else { None }
 }
 
 /// The burst range of any hinge, to judge the seal by.
 pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
-    let (k, hinge) = weakest(case, &Ring)?;
-    burst_bounds(case, k, hinge)
+    burst_bounds(case, weakest(case, &Ring)?)
 }
 
 /// The range of the burst pressure (Pa) of a hinge; `None` without a peel strength.
@@ -83,45 +82,51 @@ pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
 /// At its lower end the upper end of the pull is the seal's strength. So a pressure lies below the range if the seal bears the range of the pull
 /// there, whatever is known of the pull at the burst pressure. At its upper end the lower end of the pull reaches the strength first, so a
 /// pressure lies above the range if the seal bears nothing of the range of the pull there.
-pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
-    let peel = hinge.0.peel(case)?;
-    let burst_at = |part: f64| bursting(case, k, hinge, peel / part);
-    let range =
-        |pressure: f64| bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
-    let predicted = burst_at(1.0);
-    let [_, high] = range(predicted);
+pub(super) fn burst_bounds(case: &Case, seal: HingeSeal) -> Option<Interval> {
+    let peel = seal.hinge.peel(case)?;
+    let predicted = bursting(case, seal, peel);
+    let [_, high] = judged_range(case, seal, predicted);
     // The pull is known best at the shells' pressures, which may lie between the two. After 50 rounds they differ by rounding.
-    let sure = last_holding(burst_at(high), predicted, 50, |pressure| {
-        let most = bounds(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
-        most * pull(case, k, hinge, pressure) <= peel
+    let holding = last_holding(bursting(case, seal, peel / high), predicted, 50, |pressure| {
+        let factor = bounds(case, seal, pressure).map_or(high, |[_, end]| high.min(end));
+        factor * pull(case, seal, pressure) <= peel
     });
     // The lower end of the pull grows with the pressure up to the edge, falls where the range widens, and grows on.
-    let least = |pressure: f64| range(pressure)[0] * pull(case, k, hinge, pressure);
-    let edge = edge(case, hinge.1);
-    let [low, _] = widest(case, k, hinge, predicted);
-    let certain = last_holding(burst_at(low), predicted, 50, |pressure| {
-        least(pressure).max(least(pressure.min(edge))) >= peel
+    let edge_pressure = edge(case, seal.radius);
+    let [low, _] = widest(case, seal, predicted);
+    let peeling = last_holding(bursting(case, seal, peel / low), predicted, 50, |pressure| {
+        let pulls = [pressure, pressure.min(edge_pressure)].map(|p| least_pull(case, seal, p));
+        pulls[0].max(pulls[1]) >= peel
     });
-    Some([sure, certain])
+    Some([holding, peeling])
+}
+
+/// The range of the pull at `pressure` (Pa), as factors, by which a seal is judged also far from the shells.
+fn judged_range(case: &Case, seal: HingeSeal, pressure: f64) -> Interval {
+    bounds(case, seal, pressure).unwrap_or_else(|| widest(case, seal, pressure))
+}
+
+/// The lower end of the pull at `pressure` (Pa), N per m.
+fn least_pull(case: &Case, seal: HingeSeal, pressure: f64) -> f64 {
+    judged_range(case, seal, pressure)[0] * pull(case, seal, pressure)
 }
 
 /// The peel strength (N per m) with which the seal of a hinge surely holds `pressure` (Pa): the upper end of the range of its pull.
-pub(super) fn sure_strength(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> f64 {
-    let range = bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
-    range[1] * pull(case, k, hinge, pressure)
+pub(super) fn sure_strength(case: &Case, seal: HingeSeal, pressure: f64) -> f64 {
+    judged_range(case, seal, pressure)[1] * pull(case, seal, pressure)
 }
 
 /// The pressure (Pa) at which the pull at a hinge is `peel` (N per m): the pull grows with the pressure, and less than in proportion.
-pub(super) fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
-    // pull = tube p + bent p^(1 - BENDABILITY): between two powers of p, so Newton's method in logarithms gains digits from the start, and
+pub(super) fn bursting(case: &Case, seal: HingeSeal, peel: f64) -> f64 {
+    // pull = tube p + bending p^(1 - BENDABILITY): between two powers of p, so Newton's method in logarithms gains digits from the start, and
     // the sixth step finds rounding only. The start is the straight tube's pressure.
     let tube = FRAC_1_PI * case.mechanism.width;
-    let bent = pull(case, k, hinge, 1.0) - tube;
+    let bending = pull(case, seal, 1.0) - tube;
     let mut pressure = peel / tube;
     for _ in 0..6 {
-        let bent = bent * libm::pow(pressure, 1.0 - BENDABILITY);
-        let load = tube * pressure + bent;
-        let slope = (tube * pressure + (1.0 - BENDABILITY) * bent) / load;
+        let bending_load = bending * libm::pow(pressure, 1.0 - BENDABILITY);
+        let load = tube * pressure + bending_load;
+        let slope = (tube * pressure + (1.0 - BENDABILITY) * bending_load) / load;
         let next = pressure * libm::pow(peel / load, slope.recip());
         // Every further step would find the same.
         if next == pressure {
@@ -138,15 +143,17 @@ pub(super) fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64
 /// The value assumes a pull in proportion to the pressure. The range includes the mesh error and a pull that grows with p^(1 -
 /// `BENDABILITY`) only, as at the hinges of stars.
 pub fn burst_of_drawn(peel: f64, pressure: f64, [pull, error]: [f64; 2]) -> Option<(f64, Interval)> {
-    let bound = |pull: f64| {
-        let ratio = peel / pull;
-        [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
-    };
-    let least = (pull - error).max(LEAST_PULL * pull);
-    if least.is_nan() || least <= 0.0 {
+    let smallest = (pull - error).max(LEAST_PULL * pull);
+    if smallest.is_nan() || smallest <= 0.0 {
         return None;
     }
-    let ends = [bound(pull + error), bound(least)].concat();
+    let ends: Vec<f64> = [pull + error, smallest]
+        .into_iter()
+        .flat_map(|pull| {
+            let ratio = peel / pull;
+            [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
+        })
+        .collect();
     let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
     let high = ends.iter().copied().fold(0.0, f64::max);
     Some((pressure * peel / pull, [low, high].map(|times| pressure * times)))

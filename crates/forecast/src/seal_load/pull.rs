@@ -61,6 +61,25 @@ impl LoadedHinge {
     }
 }
 
+/// The seal at the inner rims of one kind of hinge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HingeSeal {
+    /// The kind of hinge.
+    pub hinge: LoadedHinge,
+    /// Radius, m, that the band makes of the inner rim.
+    pub radius: f64,
+    /// [`factor`] there.
+    pub k: f64,
+}
+
+impl HingeSeal {
+    /// The seal at a `hinge` of the star of `case`; `None` outside the range of `ring`.
+    pub(super) fn new(case: &Case, hinge: LoadedHinge, ring: &dyn HingeModel) -> Option<Self> {
+        let radius = hinge.radius(case);
+        Some(Self { hinge, radius, k: factor(ring, radius / case.mechanism.width)? })
+    }
+}
+
 /// Exponents of its decrease with w / R, where the band is wider than R and where it is narrower: a wide band evens out the pull at the ends of a
 /// hinge's arc. With one exponent round hinges pulled 11 % harder than predicted (crates/research/pull.py).
 const WIDE_BAND: f64 = 0.29;
@@ -87,9 +106,9 @@ pub fn factor(ring: &dyn HingeModel, r_star: f64) -> Option<f64> {
     ring.target(r_star).ok().and_then(|state| seal_load(r_star, &state))
 }
 
-/// The largest pull (N per m) at the seal of a hinge whose inner rim has the radius `radius` (m), at `pressure` (Pa): the mean over a piece
-/// of seam as long as the band is wide. `k` is [`factor`] there.
-pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: f64) -> f64 {
+/// The largest pull (N per m) at the `seal` of a hinge at `pressure` (Pa): the mean over a piece of seam as long as the band is wide.
+pub fn pull(case: &Case, seal: HingeSeal, pressure: f64) -> f64 {
+    let HingeSeal { hinge, radius, k } = seal;
     let width = case.mechanism.width;
     let ratio = (case.band / radius).max(NARROWEST);
     let band = libm::pow(ratio, if ratio < 1.0 { -NARROW_BAND } else { -WIDE_BAND });
@@ -98,8 +117,8 @@ pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: 
 }
 
 /// The range of [`pull`] with the same arguments, wider with the distance from the shells; `None` where they are far.
-pub(super) fn range(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
-    bounds(case, k, hinge, pressure).filter(|_| is_tried(case, hinge.1))
+pub(super) fn range(case: &Case, seal: HingeSeal, pressure: f64) -> Option<Interval> {
+    bounds(case, seal, pressure).filter(|_| is_tried(case, seal.radius))
 }
 
 /// Whether shells had hinges nearly as sharp as one of radius `radius` (m).
@@ -108,15 +127,15 @@ pub(super) fn is_tried(case: &Case, radius: f64) -> bool {
 }
 
 /// The range of the pull at hinges of any radius, to judge seals by; `None` at pressures that are far from the shells'.
-pub(super) fn bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+pub(super) fn bounds(case: &Case, seal: HingeSeal, pressure: f64) -> Option<Interval> {
     let bendability = case.sheet.bendability(pressure, case.mechanism.width);
     let wider = widening(&[TriedRatio::new("", bendability, errors::BENDABILITY)])?;
-    Some(of_hinge(case, k, hinge, pressure, wider))
+    Some(of_hinge(case, seal, pressure, wider))
 }
 
 /// The range of the pull at pressures too far from the shells: as wide as where ranges end.
-pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Interval {
-    of_hinge(case, k, hinge, pressure, errors::BEYOND)
+pub(super) fn widest(case: &Case, seal: HingeSeal, pressure: f64) -> Interval {
+    of_hinge(case, seal, pressure, errors::BEYOND)
 }
 
 /// The largest pressure, Pa, at which the range at a hinge of radius `radius` (m) is not wider for the pressure.
@@ -134,15 +153,17 @@ pub fn tried_range(ratio: f64) -> Interval {
 
 /// [`tried_range`] where it is `factor` times as wide for the pressure. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is
 /// exact: what its pull is beyond that is as uncertain as there.
-fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
+fn of_hinge(case: &Case, seal: HingeSeal, pressure: f64, factor: f64) -> Interval {
     static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
     let (width, last) = (case.mechanism.width, ROUND * case.mechanism.width);
-    let range =
-        errors::widened(tried_range(case.band / hinge.1), factor.max(roundness(case, hinge.1).widens_on()));
-    let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
+    let range = errors::widened(
+        tried_range(case.band / seal.radius),
+        factor.max(roundness(case, seal.radius).widens_on()),
+    );
+    let Some(least_round) = K.filter(|_| seal.radius > last) else { return range };
     let tube = FRAC_1_PI * pressure * width;
-    let (predicted, roundest) =
-        (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
+    let roundest_seal = HingeSeal { radius: last, k: least_round, ..seal };
+    let (predicted, roundest) = (pull(case, seal, pressure), pull(case, roundest_seal, pressure));
     let part = (predicted - tube) / (roundest - tube);
     range.map(|end| (tube + (end * roundest - tube) * part) / predicted)
 }
@@ -155,13 +176,11 @@ fn roundness(case: &Case, radius: f64) -> TriedRatio {
     TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
 }
 
-/// The kind of hinge whose seal has the largest pull, its inner radius, m, and `k` there; the same at all
-/// pressures. `None` outside the range of `ring`.
-pub(super) fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
+/// The seal of the hinges with the largest pull; the same at all pressures. `None` outside the range of `ring`.
+pub(super) fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<HingeSeal> {
     let [tip, corner] = [LoadedHinge::Tip, LoadedHinge::Corner].map(|hinge| {
-        let hinge = (hinge, hinge.radius(case));
-        let k = factor(ring, hinge.1 / case.mechanism.width)?;
-        Some((pull(case, k, hinge, 1.0), (k, hinge)))
+        let seal = HingeSeal::new(case, hinge, ring)?;
+        Some((pull(case, seal, 1.0), seal))
     });
     let (tip, corner) = (tip?, corner?);
     Some(if tip.0 >= corner.0 { tip.1 } else { corner.1 })
@@ -169,7 +188,7 @@ pub(super) fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (Loade
 
 /// The largest pull on the seal of `case` at its pressure, N per m, its range, and at which kind of hinge it is; `None` without a pressure.
 pub fn largest_pull(case: &Case) -> Option<(f64, Option<Interval>, &'static str)> {
-    let (pressure, (k, hinge)) = (case.pressure?, hardest(case, &Ring)?);
-    let pull = pull(case, k, hinge, pressure);
-    Some((pull, range(case, k, hinge, pressure).map(|range| scaled(range, pull)), hinge.0.place()))
+    let (pressure, seal) = (case.pressure?, hardest(case, &Ring)?);
+    let load = pull(case, seal, pressure);
+    Some((load, range(case, seal, pressure).map(|range| scaled(range, load)), seal.hinge.place()))
 }

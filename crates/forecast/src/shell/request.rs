@@ -3,7 +3,7 @@
 use crate::case::Case;
 use crate::interval::Interval;
 use crate::predict::PredictFault;
-use crate::pressures::outside;
+use crate::pressures::pressure_finding;
 use crate::shell::{Detail, MOST_POINTS, SHELL, fineness, flat_star};
 use inflatable::shell::cases::{
     Extremes, FlatStar, Hysteresis, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Value, Watch,
@@ -41,7 +41,7 @@ pub fn no_pressure() -> ShellRefusal {
 
 /// The fault of a pressure, Pa, at which there is no shell.
 fn out_of_range(pressure: f64, range: Interval) -> PredictFault {
-    let (problem, remedy) = outside(SHELL, pressure, range);
+    let (problem, remedy) = pressure_finding(SHELL, pressure, range);
     PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, problem) }
 }
 
@@ -108,7 +108,8 @@ fn askew(points: u32) -> PredictFault {
 /// # Errors
 /// If the shell refuses, finds no equilibrium, or is cancelled.
 pub(crate) fn ask(
-    (case, weave): (&Case, Weave),
+    case: &Case,
+    weave: Weave,
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,

@@ -9,7 +9,7 @@ use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Predi
 use crate::ranges::shown::meshed;
 use crate::shell::request::{Measurements, ask, entered, fault};
 use crate::shell::{Detail, SHELL};
-use crate::star_answer::{bare, mm};
+use crate::star_answer::{mm, without_model};
 use crate::warning::PredictionWarning;
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
@@ -32,28 +32,35 @@ const TRIED_POINTS: u32 = 8;
 /// # Errors
 /// If a shell refuses a star or finds no equilibrium of it, or is cancelled.
 pub fn predict(
-    (spec, design): (&Spec, &Design),
+    spec: &Spec,
+    design: &Design,
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(Prediction, InflatedShape), ShellRefusal> {
     let design = stars_of(design)?;
     let meetings = design.meetings(spec);
-    let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
-    let mut computed = Vec::new();
+    let meetings = meetings.as_deref().unwrap_or_default();
+    let mut runs = Vec::new();
     for placed in design.firsts() {
         let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
-        let meetings: Vec<Option<Meeting>> = alike.map(meeting).collect();
-        let found = compute((spec, design.part(placed)), (radii, &meetings), detail, watch);
-        computed.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
+        let meetings: Vec<Option<Meeting>> =
+            alike.map(|placed| meetings.get(placed.index - 1).copied()).collect();
+        let run = star_case(spec, design.part(placed)).and_then(|case| {
+            let entered = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
+            let objects: Vec<f64> = radii.iter().copied().chain(entered).collect();
+            ShellRun::new(spec, case, &objects, detail, watch)
+        });
+        runs.push(run.map_err(|refusal| refusal.of_star(placed.index))?);
     }
     let answer = |placed: &PlacedPart| {
-        let one = computed.get(placed.distinct)?;
+        let run = runs.get(placed.distinct)?;
         let opening = design.frame.opening_below(placed.index);
-        Some(one.star((spec, design.part(placed)), (meeting(placed), opening), radii))
+        let case = run.case.meeting(meetings.get(placed.index - 1).copied()).above_plate(opening);
+        Some(run.star(spec, design.part(placed), &case, radii))
     };
     let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
-    let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
+    let shape = runs.into_iter().next().map(|run| run.inflated.shape).unwrap_or_default();
     Ok((assembled_prediction(spec, design, stars)?, shape))
 }
 
@@ -70,38 +77,36 @@ impl ShellRefusal {
 struct ShellRun {
     case: Case,
     flat: FlatStar,
-    found: InflatedStar,
+    inflated: InflatedStar,
     measured: Measurements,
 }
 
-/// The star as a shell, around round objects of `radii` (m) and the object's radii that stars like it meet.
-fn compute(
-    (spec, part): (&Spec, &StarDesign),
-    (radii, meetings): (&[f64], &[Option<Meeting>]),
-    detail: Detail,
-    watch: &Watch<'_>,
-) -> Result<ShellRun, ShellRefusal> {
-    let case = Case::of_part(spec, part).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
-    let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
-    let all: Vec<f64> = radii.iter().copied().chain(met).collect();
-    let weave = weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
-    let (flat, found, measured) = ask((&Case { object: None, ..case }, weave), &all, detail, watch)?;
-    Ok(ShellRun { case, flat, found, measured })
+fn star_case(spec: &Spec, part: &StarDesign) -> Result<Case, ShellRefusal> {
+    Case::of_part(spec, part).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))
 }
 
 impl ShellRun {
-    /// The prediction of a star that meets the object as `meeting` specifies, above a plate with an opening of this radius, mm.
-    fn star(
-        &self,
-        (spec, part): (&Spec, &StarDesign),
-        (meeting, opening): (Option<Meeting>, Option<f64>),
-        radii: &[f64],
-    ) -> StarPrediction {
+    /// The star of `case` as a shell, around round objects of the radii `objects` (m).
+    fn new(
+        spec: &Spec,
+        case: Case,
+        objects: &[f64],
+        detail: Detail,
+        watch: &Watch<'_>,
+    ) -> Result<Self, ShellRefusal> {
+        let fabric_weave =
+            weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
+        let empty = Case { object: None, ..case };
+        let (flat, inflated, measured) = ask(&empty, fabric_weave, objects, detail, watch)?;
+        Ok(Self { case, flat, inflated, measured })
+    }
+
+    /// The prediction of the star of `part` in its place in the stack, which `case` describes, with the forces on objects of `radii` (m).
+    fn star(&self, spec: &Spec, part: &StarDesign, case: &Case, radii: &[f64]) -> StarPrediction {
         // The shell computed one star in the middle of its object. Here the case of its place in the stack is read
-        // off: the radius that it meets and the plate below it. What only the geometry gives comes from the bare
-        // prediction.
-        let case = self.case.meeting(meeting).above_plate(opening);
-        let measured = Measurements { object: entered(&case), ..self.measured.clone() };
+        // off: the radius that it meets and the plate below it. What only the geometry gives comes from the
+        // prediction without a model.
+        let measured = Measurements { object: entered(case), ..self.measured.clone() };
         let on_object = measured.object_force();
         let is_beside = case.object.is_some_and(|radius| radius <= 0.0);
         let curve: Vec<(f64, Value)> =
@@ -110,7 +115,7 @@ impl ShellRun {
         let [pull, pull_error] = measured.seal_tension();
         let force = on_object.map(|force| force.value).or(is_beside.then_some(0.0));
         let wrinkling = case.wrinkling_mass(measured.tip_angle.value.to_radians());
-        let bare = bare(spec, part, &case);
+        let flat = without_model(spec, part, case);
         StarPrediction {
             model: SHELL,
             tip_equilibrium_angle_deg: measured.equilibrium(),
@@ -130,17 +135,7 @@ impl ShellRun {
                 .object
                 .and_then(|object| measured.force_at(object + case.flap()))
                 .map(|force| force.value),
-            force_curve: (!radii.is_empty()).then(|| {
-                curve
-                    .iter()
-                    .map(|(radius, force)| ForceAt {
-                        radius: *radius,
-                        force: Some(force.value),
-                        low: None,
-                        high: None,
-                    })
-                    .collect()
-            }),
+            force_curve: (!radii.is_empty()).then(|| force_curve(&curve)),
             seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull.value),
             seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
             seal_tension: Some(MeshedPlace {
@@ -161,28 +156,28 @@ impl ShellRun {
             })),
             evidence: ModelEvidence {
                 weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
-                ..self.evidence(&case, &measured, &curve, &bare.evidence)
+                ..self.evidence(case, &measured, &curve, &flat.evidence)
             },
-            ..bare
+            ..flat
         }
     }
 
     /// Meshes, effort and warnings behind the numbers `measured` of a star of `case`, with the force on each requested object, `curve` (radius in
-    /// mm, N); the rest is that of `bare`, a prediction without a model.
+    /// mm, N); the rest is that of `flat_evidence`, of a prediction without a model.
     fn evidence(
         &self,
         case: &Case,
         measured: &Measurements,
         curve: &[(f64, Value)],
-        bare: &ModelEvidence,
+        flat_evidence: &ModelEvidence,
     ) -> ModelEvidence {
-        let Self { flat, found, .. } = self;
+        let Self { flat, inflated, .. } = self;
         let snap_warning = snap(curve).or_else(|| snap_of_one_object(measured.hysteresis, &measured.forces));
         ModelEvidence {
             choice: format!("{SHELL} was requested"),
-            residual: found.evidence.residual,
-            iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
-            unknowns: Some(found.evidence.unknowns.clone()),
+            residual: inflated.evidence.residual,
+            iterations: inflated.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+            unknowns: Some(inflated.evidence.unknowns.clone()),
             mesh_errors: Some(MeshErrors {
                 final_radius_mm: measured.radius.error,
                 contraction: measured.contraction.error,
@@ -201,9 +196,17 @@ impl ShellRun {
                 .chain(snap_warning)
                 .map(PredictionWarning::from)
                 .collect(),
-            ..bare.clone()
+            ..flat_evidence.clone()
         }
     }
+}
+
+/// The forces of a curve (radius in mm, N); a shell states no ranges.
+fn force_curve(curve: &[(f64, Value)]) -> Vec<ForceAt> {
+    let forces = curve.iter();
+    forces
+        .map(|(radius, force)| ForceAt { radius: *radius, force: Some(force.value), low: None, high: None })
+        .collect()
 }
 
 fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String> {
@@ -264,12 +267,12 @@ fn snap(curve: &[(f64, Value)]) -> Option<String> {
     let mut sorted: Vec<&(f64, Value)> = curve.iter().collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
     let falls = sorted.windows(2).find(|pair| pair[1].1.value < pair[0].1.value)?;
-    let [(near, more), (far, less)] = [falls[0], falls[1]].map(|(radius, force)| (radius, force.value));
+    let [(narrow, high), (wide, low)] = [falls[0], falls[1]].map(|(radius, force)| (radius, force.value));
     Some(format!(
-        "the force falls from {more:.2} to {less:.2} N while the object widens from {:.2} to {:.2} mm across: the corners' rims snap \
+        "the force falls from {high:.2} to {low:.2} N while the object widens from {:.2} to {:.2} mm across: the corners' rims snap \
          inwards there, and meshes may differ on where; take the lower force",
-        2.0 * near,
-        2.0 * far
+        2.0 * narrow,
+        2.0 * wide
     ))
 }
 
@@ -296,14 +299,19 @@ mod tests {
 
     #[test]
     fn a_force_that_falls_is_reported_with_its_opening() {
-        let force = |value: f64| Value { value, error: 0.1, meshes: [value; 3] };
-        let rising = [(20.0, force(1.0)), (22.0, force(2.0)), (24.0, force(2.5))];
+        let curve = |points: [(f64, f64); 3]| {
+            points.map(|(radius, value)| (radius, Value { value, error: 0.1, meshes: [value; 3] }))
+        };
+        let rising = curve([(20.0, 1.0), (22.0, 2.0), (24.0, 2.5)]);
         assert_eq!(snap(&rising), None);
         assert_eq!(snap(&[]), None);
         // Radii in any order.
-        let falling = [(24.0, force(10.9)), (22.0, force(11.1)), (20.0, force(1.0))];
-        let said = snap(&falling).expect("it falls");
-        assert!(said.contains("from 11.10 to 10.90 N") && said.contains("from 44.00 to 48.00 mm"), "{said}");
+        let falling = curve([(24.0, 10.9), (22.0, 11.1), (20.0, 1.0)]);
+        let warning = snap(&falling).expect("it falls");
+        assert!(
+            warning.contains("from 11.10 to 10.90 N") && warning.contains("from 44.00 to 48.00 mm"),
+            "{warning}"
+        );
     }
 
     #[test]

@@ -185,7 +185,7 @@ impl Finder<'_> {
             sized.requirements.width_in_words()
         )];
         let nearest =
-            is_near(ratio).then(|| self.grippers(&Requirement::Size.with(required, object.0))).flatten();
+            is_near(ratio).then(|| self.grippers(&Requirement::Size.with_value(required, object.0))).flatten();
         Infeasible { reasons, nearest: nearest.into_iter().collect() }
     }
 }
@@ -339,6 +339,8 @@ impl Requirement {
 
     /// The change from `required` to `eased`, in words; `None` if they agree in this requirement.
     fn change(self, required: &Requirements, eased: &Requirements) -> Option<String> {
+        // Each requirement whose value differs is a phrase with the eased value. The last arm names those that agree, so
+        // that a new requirement does not compile without a phrase.
         Some(match self {
             Self::Friction if eased.friction > required.friction => {
                 format!(

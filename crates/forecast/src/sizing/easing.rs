@@ -85,7 +85,7 @@ impl Finder<'_> {
         let distance = |size: &f64| libm::fabs(libm::log(0.5 * size / required.object.0));
         let mut sizes = SIZES;
         sizes.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        sizes.into_iter().find_map(|size| self.grippers(&Requirement::Size.with(required, 0.5 * size)))
+        sizes.into_iter().find_map(|size| self.grippers(&Requirement::Size.with_value(required, 0.5 * size)))
     }
 
     /// The grippers that meet `loose` with the first of the values `start`, twice as much, and so on that is granted.
@@ -97,7 +97,7 @@ impl Finder<'_> {
     ) -> Option<NearestRequirements> {
         (0..=DOUBLINGS).find_map(|doublings| {
             let value = easing.rounded(loose, start * 2.0_f64.powi(doublings), f64::INFINITY);
-            self.grippers(&easing.with(loose, value))
+            self.grippers(&easing.with_value(loose, value))
         })
     }
 
@@ -123,7 +123,7 @@ impl Finder<'_> {
         for _ in 0..TRIALS {
             let granted = easing.value(&nearest.requirements);
             let Some(middle) = easing.round_value(&nearest.requirements, granted, refused) else { break };
-            match self.grippers(&easing.with(&nearest.requirements, middle)) {
+            match self.grippers(&easing.with_value(&nearest.requirements, middle)) {
                 Some(nearer) => nearest = nearer,
                 None => refused = middle,
             }
@@ -134,7 +134,7 @@ impl Finder<'_> {
             let value = if last > granted { granted * factor } else { granted / factor };
             let value = easing.rounded(&nearest.requirements, value, granted);
             if (value - granted) * (last - value) > 0.0 {
-                nearest = self.grippers(&easing.with(&nearest.requirements, value)).unwrap_or(nearest);
+                nearest = self.grippers(&easing.with_value(&nearest.requirements, value)).unwrap_or(nearest);
             }
         }
         nearest
@@ -151,7 +151,7 @@ impl Requirement {
     pub(super) fn given_up(self, required: &Requirements) -> Option<Requirements> {
         let Requirements { room, .. } = *required;
         Some(match self {
-            Self::Friction if required.friction < COATED => self.with(required, COATED),
+            Self::Friction if required.friction < COATED => self.with_value(required, COATED),
             Self::Friction => return None,
             Self::Pressure => Requirements { pressure: None, ..*required },
             Self::Sheet => Requirements { room: Workspace { sheet: ENDLESS, ..room }, ..*required },
@@ -188,7 +188,7 @@ impl Requirement {
     }
 
     /// `required` with this value.
-    pub(super) fn with(self, required: &Requirements, value: f64) -> Requirements {
+    pub(super) fn with_value(self, required: &Requirements, value: f64) -> Requirements {
         let Requirements { room, .. } = *required;
         match self {
             Self::Friction => Requirements { friction: value, friction_assumed: false, ..*required },
@@ -211,16 +211,16 @@ impl Requirement {
     /// friction, or a millimetre.
     fn grid(self, required: &Requirements, value: f64) -> [f64; 2] {
         let units = &required.units;
-        let digits = |unit: f64| [unit, libm::pow(10.0, libm::log10(value / unit).floor() - 1.0)];
-        match self {
-            Self::Friction => [1.0, 0.01],
-            Self::Sheet | Self::Machine => [1.0, 1.0],
-            Self::Pressure => digits(factor::<Pressure>(units.pressure)),
-            Self::Force => digits(factor::<Force>(units.force)),
-            Self::Mass => digits(factor::<Mass>(units.mass)),
+        let unit = match self {
+            Self::Friction => return [1.0, 0.01],
+            Self::Sheet | Self::Machine => return [1.0, 1.0],
+            Self::Pressure => factor::<Pressure>(units.pressure),
+            Self::Force => factor::<Force>(units.force),
+            Self::Mass => factor::<Mass>(units.mass),
             // The radius of an object whose width is a round number.
-            Self::Size => digits(0.5 * factor::<Length>(units.object)),
-        }
+            Self::Size => 0.5 * factor::<Length>(units.object),
+        };
+        [unit, libm::pow(10.0, libm::log10(value / unit).floor() - 1.0)]
     }
 
     /// `value`, rounded towards `granted`.
@@ -241,10 +241,8 @@ impl Requirement {
         let mean = (refused * granted).sqrt();
         let candidates = [granted, refused].map(|end| self.rounded(required, mean, end));
         // Of a value that was rounded to an end, the last digit may differ.
-        let are_distinct = |a: f64, b: f64| libm::fabs(a - b) > 1e-9 * a;
         candidates.into_iter().find(|value| {
-            are_distinct(*value, granted)
-                && are_distinct(*value, refused)
+            [granted, refused].iter().all(|end| libm::fabs(value - end) > 1e-9 * value)
                 && (value - refused) * (granted - value) > 0.0
         })
     }

@@ -249,7 +249,7 @@ impl Requirements {
             inner_radius: [Length(hole), Length(2.0 * hole + 20.0)],
             pressure: Some(self.pressure.map_or(PRESSURES, |pressure| [pressure; 2])),
             stars: 1..=MOST_STARS,
-            ..SearchBounds::just(base)
+            ..SearchBounds::fixed(base)
         })
     }
 

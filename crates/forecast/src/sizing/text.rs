@@ -155,7 +155,7 @@ impl Lines {
         let (star, outcome) = (&choice.best.point.star, choice.best.answer.outcome.as_ref());
         let closed_width = outcome.map(|outcome| 2.0 * Length::from_metres(outcome.rest.radius).0);
         let range = outcome.and_then(|outcome| outcome.ranges.radius).map(|range| scaled(mm(range), 2.0));
-        let closes = shown::known(closed_width, range, "mm across");
+        let closes = shown::optional_with_range(closed_width, range, "mm across");
         let opens = outcome.map_or(0.0, |outcome| 2e3 * outcome.graspable[1]);
         let areas: Vec<String> =
             choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
@@ -186,7 +186,7 @@ impl Lines {
         let outcome = answer.grip.as_ref();
         let force = outcome.and_then(Outcome::object_force);
         let force_text = match outcome.and_then(|outcome| outcome.force_range) {
-            Some(range) => shown::known(force, Some(range), "N"),
+            Some(range) => shown::optional_with_range(force, Some(range), "N"),
             None => force.map_or("unknown".to_owned(), |force| format!("{force:.1} N by the model")),
         };
         let needed_force = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
@@ -227,6 +227,8 @@ impl Lines {
     }
 
     fn load(&mut self, choice: &Choice) {
+        // A line for each key of the object, as its user wrote it. The comment of the pressure tells its effect on the
+        // fabric and the seal.
         let (requirements, point, answer) = (&choice.requirements, &choice.best.point, &choice.best.answer);
         self.text += "[load]\n";
         let outcome = answer.outcome.as_ref();

@@ -130,6 +130,8 @@ impl Study {
         columns: &mut [ColumnValues],
         cancel: &Arc<AtomicBool>,
     ) -> Option<()> {
+        // The columns are filled in their order: number, varied values, outputs, refusal. A refused design has no outputs,
+        // and its row is not left out.
         let mut columns = columns.iter_mut();
         let mut next = |with: &dyn Fn(&mut ColumnValues)| {
             if let Some(column) = columns.next() {

@@ -8,9 +8,12 @@ use std::io::Write;
 
 /// The header line; with `units` a comment line below it with the unit of each column.
 pub fn header(columns: &[Column], units: bool) -> String {
-    let line = |cell: fn(&Column) -> &str| columns.iter().map(cell).collect::<Vec<_>>().join(",");
-    let names = line(|column| &column.name);
-    if units { format!("{names}\n#{}\n", line(|column| column.unit.unwrap_or("-"))) } else { names + "\n" }
+    let names = columns.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(",");
+    if !units {
+        return names + "\n";
+    }
+    let units = columns.iter().map(|column| column.unit.unwrap_or("-")).collect::<Vec<_>>().join(",");
+    format!("{names}\n#{units}\n")
 }
 
 /// The lines of `batch`.
@@ -82,7 +85,7 @@ const BOUNDS: [f64; 11] = [1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1
 mod tests {
     use super::*;
 
-    fn shown(x: f64) -> String {
+    fn digits(x: f64) -> String {
         let mut bytes = Vec::new();
         real(&mut bytes, x);
         String::from_utf8(bytes).expect("digits")
@@ -90,36 +93,22 @@ mod tests {
 
     #[test]
     fn numbers_are_plain() {
-        let texts = [
-            30.0,
-            0.5,
-            1.0 / 3.0,
-            12345.6789,
-            1e-7,
-            -2.5,
-            -0.0,
-            0.001,
-            123_456_789.5,
-            9.999_999_999,
-            1e9,
-            2e12,
-        ]
-        .map(shown);
-        let expected = [
-            "30",
-            "0.500000000",
-            "0.333333333",
-            "12345.6789",
-            "1.00000000e-7",
-            "-2.50000000",
-            "0",
-            "0.00100000000",
-            "123456790",
-            "10.00000000",
-            "1.00000000e9",
-            "2.00000000e12",
-        ];
-        assert_eq!(texts, expected);
+        for (number, text) in [
+            (30.0, "30"),
+            (0.5, "0.500000000"),
+            (1.0 / 3.0, "0.333333333"),
+            (12345.6789, "12345.6789"),
+            (1e-7, "1.00000000e-7"),
+            (-2.5, "-2.50000000"),
+            (-0.0, "0"),
+            (0.001, "0.00100000000"),
+            (123_456_789.5, "123456790"),
+            (9.999_999_999, "10.00000000"),
+            (1e9, "1.00000000e9"),
+            (2e12, "2.00000000e12"),
+        ] {
+            assert_eq!(digits(number), text);
+        }
     }
 
     #[test]

@@ -19,7 +19,7 @@ type Quick = fn(&mut Candidate, f64);
 
 /// The keys that need no reading.
 const QUICK: [(KeyPath, Quick); 14] = [
-    (key::star::POINTS, |point, value| point.star.points = whole(value)),
+    (key::star::POINTS, |point, value| point.star.points = whole_number(value)),
     (key::star::INNER_RADIUS, |point, value| point.star.inner_radius = Length(value)),
     (key::star::TUBE_WIDTH, |point, value| point.star.tube_width = Length(value)),
     (key::star::TIP_ANGLE, |point, value| point.star.tip_angle = Angle(value)),
@@ -41,7 +41,7 @@ fn set_size(point: &mut Candidate, radius: f64, by_radius: bool) {
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the reader lets 3 to 64 pass")]
-fn whole(value: f64) -> u32 {
+fn whole_number(value: f64) -> u32 {
     value as u32
 }
 
@@ -64,24 +64,20 @@ pub(super) struct Designs {
 
 impl Designs {
     /// The combinations of `blocks` around `base`, the gripper of the spec `source`.
-    pub(super) fn new(
-        base: Candidate,
-        (source, Reading { spec, raw, .. }): (Source, Reading),
-        blocks: Vec<Block>,
-    ) -> Self {
+    pub(super) fn new(base: Candidate, source: Source, reading: Reading, blocks: Vec<Block>) -> Self {
+        let Reading { spec, raw, .. } = reading;
         let (mut quick, mut slow) = (Vec::new(), Vec::new());
         // Which tips there are to carry an inlet depends on the points: the reader must see both.
-        let axes = || blocks.iter().flat_map(Block::axes);
-        let is_tip_varied = axes().any(|axis| axis.field.key() == key::inlet::TIP);
+        let mut axes = blocks.iter().flat_map(Block::axes);
+        let is_tip_varied = axes.any(|axis| axis.field.key() == key::inlet::TIP);
         // So must it see which stars have a value of their own.
         let has_own = raw.has_overrides();
-        let is_slow = |key: KeyPath| {
-            is_tip_varied && key == key::star::POINTS
-                || has_own && key.section() == key::star::POINTS.section()
-        };
         for (b, block) in blocks.iter().enumerate() {
             for (l, axis) in block.axes().iter().enumerate() {
-                match QUICK.iter().find(|(key, _)| *key == axis.field.key() && !is_slow(*key)) {
+                let key: KeyPath = axis.field.key();
+                let is_slow = is_tip_varied && key == key::star::POINTS
+                    || has_own && key.section() == key::star::POINTS.section();
+                match QUICK.iter().find(|(quick_key, _)| *quick_key == key && !is_slow) {
                     Some((_, set)) => quick.push((b, l, *set)),
                     None => slow.push((b, l)),
                 }
@@ -175,7 +171,7 @@ impl Designs {
                 },
             )
         })?;
-        Candidate::of(&spec).ok_or_else(|| RefusedDesign::unpredicted("there is no star".to_owned()))
+        Candidate::from_spec(&spec).ok_or_else(|| RefusedDesign::unpredicted("there is no star".to_owned()))
     }
 
     /// The models of the designs.

@@ -58,13 +58,13 @@ impl Study {
     pub fn new(file: &StudyFile, spec: &Source) -> Result<Self, Faults> {
         let model = file.model.map(model_setting);
         let set: Vec<(Field, KeyValue)> = file.set.iter().cloned().chain(model).collect();
-        let fault = |place, what: String| {
-            Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, place, what)])
+        let out_of_range = |problem: String| {
+            Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, 0..0, problem)])
         };
         let spec = edited(spec, &set)?;
-        let study_designs = designs(&spec, file.blocks.clone())?.map_err(|what| fault(0..0, what))?;
+        let study_designs = designs(&spec, file.blocks.clone())?.map_err(out_of_range)?;
         let models = study_designs.models();
-        let kinds = ModelKinds::of(&models);
+        let kinds = ModelKinds::new(&models);
         if let Some((_, place)) = file.fineness.as_ref().filter(|_| !kinds.shells) {
             let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is for shells only")
                 .label("no row of this study computes a shell")
@@ -72,12 +72,12 @@ impl Study {
             return Err(Faults::new(&file.source, vec![fault]));
         }
         let outputs = match &file.outputs {
-            None => wanted::known(kinds),
-            Some(names) => wanted::chosen(names, &file.source, kinds)?,
+            None => wanted::available(kinds),
+            Some(names) => wanted::by_names(names, &file.source, kinds)?,
         };
         let detail = file.fineness.as_ref().map_or(Detail::Medium, |(detail, _)| *detail);
         let is_slow = any_slow(&models);
-        Self::of(study_designs, outputs, Some(detail), is_slow).map_err(|what| fault(0..0, what))
+        Self::with_outputs(study_designs, outputs, Some(detail), is_slow).map_err(out_of_range)
     }
 
     /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
@@ -88,11 +88,11 @@ impl Study {
     /// too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
         for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
-            let earlier_keys = || axes[..i].iter().map(|other| other.field.key());
-            if earlier_keys().any(|other| other == key) {
+            let earlier_keys: Vec<_> = axes[..i].iter().map(|other| other.field.key()).collect();
+            if earlier_keys.contains(&key) {
                 return Ok(Err(format!("`{key}` is varied twice")));
             }
-            if let Some(twin) = earlier_keys().find(|other| Some(*other) == key.twin()) {
+            if let Some(twin) = earlier_keys.iter().find(|other| Some(**other) == key.twin()) {
                 return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
             }
         }
@@ -104,12 +104,12 @@ impl Study {
                             section and auto, or write the same [vary] into a study file";
                 return Err(problem.to_owned());
             }
-            Self::of(designs, wanted::plain(), None, false)
+            Self::with_outputs(designs, wanted::plain(), None, false)
         }))
     }
 
     /// `detail`: how fine the meshes of shells are; `None` for a sweep without a study file.
-    fn of(
+    fn with_outputs(
         designs: Designs,
         outputs: Vec<&'static OutputColumn>,
         detail: Option<Detail>,
@@ -134,8 +134,9 @@ impl Study {
     /// The rows of part `part` (from 1) of `parts`: a partition into parts that differ by one row at most.
     pub fn part(&self, part: usize, parts: usize) -> Range<usize> {
         let rows = self.rows() as u128;
-        let cut = |k: usize| usize::try_from(rows * k as u128 / parts as u128).unwrap_or(usize::MAX);
-        cut(part.saturating_sub(1))..cut(part)
+        let [start, end] = [part.saturating_sub(1), part]
+            .map(|k| usize::try_from(rows * k as u128 / parts as u128).unwrap_or(usize::MAX));
+        start..end
     }
 
     /// The design of row `row`.
@@ -169,8 +170,10 @@ fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>,
     if rows.is_none_or(|rows| rows > MOST_ROWS) {
         return Ok(Err(format!("more than {MOST_ROWS} rows")));
     }
-    let Some(base) = Candidate::of(&reading.spec) else { return Ok(Err("the spec has no star".to_owned())) };
-    Ok(Ok(Designs::new(base, (spec.clone(), reading), blocks)))
+    let Some(base) = Candidate::from_spec(&reading.spec) else {
+        return Ok(Err("the spec has no star".to_owned()));
+    };
+    Ok(Ok(Designs::new(base, spec.clone(), reading, blocks)))
 }
 
 /// Whether a row of one of these models takes a second to minutes.

@@ -23,26 +23,26 @@ pub(super) struct StudyRow<'a> {
 impl StudyRow<'_> {
     /// Case of the row, if the values that depend on the pressure but not on a model are written.
     pub(super) fn at_pressure(&self) -> Option<&Case> {
-        (self.all || self.own().is_some()).then_some(&self.answer.case)
+        (self.all || self.outcome().is_some()).then_some(&self.answer.case)
     }
 
     /// The values by a hinge model, if it covers the star.
-    pub(super) fn own(&self) -> Option<&Outcome> {
-        self.answer.outcome.as_ref().filter(|own| own.known)
+    pub(super) fn outcome(&self) -> Option<&Outcome> {
+        self.answer.outcome.as_ref().filter(|outcome| outcome.known)
     }
 
     /// The value by a hinge model or by the shell.
-    pub(super) fn says(
+    pub(super) fn value(
         &self,
         hinges: fn(&Outcome) -> Option<f64>,
         shell: fn(&Measurements) -> Option<f64>,
     ) -> Option<f64> {
-        self.shell.map_or_else(|| hinges(self.own()?), shell)
+        self.shell.map_or_else(|| hinges(self.outcome()?), shell)
     }
 
     /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack differ, or
     /// meet different radii of the object, because the shell computes one star and one radius only.
-    pub(super) fn held(&self, force: f64) -> Option<f64> {
+    pub(super) fn payload(&self, force: f64) -> Option<f64> {
         if !self.point.are_alike(&self.answer.star, &self.answer.case) {
             return None;
         }
@@ -94,7 +94,7 @@ pub(super) struct ModelKinds {
 
 impl ModelKinds {
     /// By rows of these models.
-    pub(super) fn of(models: &[ModelChoice]) -> Self {
+    pub(super) fn new(models: &[ModelChoice]) -> Self {
         let is_shell = |model: &ModelChoice| *model == ModelChoice::Shell;
         Self { hinges: !models.iter().all(is_shell), shells: models.iter().any(is_shell) }
     }
@@ -146,26 +146,27 @@ pub struct Column {
     pub about: String,
 }
 
+impl Column {
+    fn new(name: &str, kind: ColumnKind, meaning: &str) -> Self {
+        Self { name: name.to_owned(), unit: None, kind, about: meaning.to_owned() }
+    }
+}
+
 /// The columns of a study of `blocks`: `row`, a column for each axis, `outputs`, and the refusal, with its code if
 /// `codes` is set.
 pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes: bool) -> Vec<Column> {
-    let text = |name: &str, unit, kind, about: &str| Column {
-        name: name.to_owned(),
-        unit,
-        kind,
-        about: about.to_owned(),
-    };
     let mut columns =
-        vec![text("row", None, ColumnKind::Whole, "the row's number in the whole study, from 0")];
+        vec![Column::new("row", ColumnKind::Whole, "the row's number in the whole study, from 0")];
     columns.extend(blocks.iter().flat_map(Block::axes).map(|axis| of_field(&axis.field)));
-    columns.extend(
-        outputs.iter().map(|output| text(output.name, unit_of(output.name), ColumnKind::Real, output.about)),
-    );
+    columns.extend(outputs.iter().map(|output| {
+        let column = Column::new(output.name, ColumnKind::Real, output.about);
+        Column { unit: unit_of(output.name), ..column }
+    }));
     if codes {
         let meaning = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
-        columns.push(text("refused_code", None, ColumnKind::Text, meaning));
+        columns.push(Column::new("refused_code", ColumnKind::Text, meaning));
     }
-    columns.push(text("refused", None, ColumnKind::Text, "why this design cannot be made, and the remedy"));
+    columns.push(Column::new("refused", ColumnKind::Text, "why this design cannot be made, and the remedy"));
     columns
 }
 
@@ -200,13 +201,16 @@ mod tests {
 
     #[test]
     fn units_end_the_names_of_columns() {
-        let name = |key: &str| of_field(&Field::find(key).expect("a key")).name;
-        assert_eq!(name("star.tube_width"), "star.tube_width_mm");
-        assert_eq!(name("fabric.seal_strength"), "fabric.seal_strength_N_per_mm");
-        assert_eq!(name("fabric.areal_density"), "fabric.areal_density_kg_per_m2");
-        assert_eq!(name("fabric.bending_stiffness"), "fabric.bending_stiffness_N_mm");
-        assert_eq!(name("accuracy.response"), "accuracy.response_percent");
-        assert_eq!(name("load.friction"), "load.friction");
+        for (key, name) in [
+            ("star.tube_width", "star.tube_width_mm"),
+            ("fabric.seal_strength", "fabric.seal_strength_N_per_mm"),
+            ("fabric.areal_density", "fabric.areal_density_kg_per_m2"),
+            ("fabric.bending_stiffness", "fabric.bending_stiffness_N_mm"),
+            ("accuracy.response", "accuracy.response_percent"),
+            ("load.friction", "load.friction"),
+        ] {
+            assert_eq!(of_field(&Field::find(key).expect("a key")).name, name);
+        }
         let kind = |key: &str| of_field(&Field::find(key).expect("a key")).kind;
         assert_eq!(
             ["star.points", "load.friction", "mask.mirror"].map(kind),

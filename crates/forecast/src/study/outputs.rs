@@ -31,24 +31,24 @@ const fn open(name: &'static str, value: ValueOf) -> OutputColumn {
 }
 
 fn radius(row: &StudyRow<'_>) -> Option<Interval> {
-    row.own()?.ranges.radius.map(|range| range.map(mm))
+    row.outcome()?.ranges.radius.map(|range| range.map(mm))
 }
 
 fn angle(row: &StudyRow<'_>) -> Option<Interval> {
-    row.own()?.ranges.angle.map(|range| range.map(f64::to_degrees))
+    row.outcome()?.ranges.angle.map(|range| range.map(f64::to_degrees))
 }
 
 fn contraction(row: &StudyRow<'_>) -> Option<Interval> {
-    row.own()?.contraction_range(&row.answer.case)
+    row.outcome()?.contraction_range(&row.answer.case)
 }
 
 fn stiffness(row: &StudyRow<'_>) -> Option<Interval> {
     // Without a pressure there is no stiffness, and no range of one.
-    row.own().filter(|own| own.stiffness.is_some())?.ranges.stiffness
+    row.outcome().filter(|outcome| outcome.stiffness.is_some())?.ranges.stiffness
 }
 
 fn force(row: &StudyRow<'_>) -> Option<Interval> {
-    row.own()?.force_range
+    row.outcome()?.force_range
 }
 
 fn payload(row: &StudyRow<'_>) -> Option<Interval> {
@@ -62,25 +62,25 @@ pub(super) const PLAIN: [OutputColumn; 20] = [
     column_of_any(
         "tip_equilibrium_angle_deg",
         "angle of the tips at rest, not clamped where arms touch",
-        |row| row.says(|own| Some(own.rest.equilibrium.to_degrees()), Measurements::equilibrium),
+        |row| row.value(|outcome| Some(outcome.rest.equilibrium.to_degrees()), Measurements::equilibrium),
     ),
     column_of_any("final_radius_mm", "inner radius of the closed star", |row| {
-        row.says(|own| Some(mm(own.rest.radius)), |shell| Some(shell.radius.value))
+        row.value(|outcome| Some(mm(outcome.rest.radius)), |shell| Some(shell.radius.value))
     }),
     column_of_any("contraction", "1 - final radius / inner radius", |row| {
-        row.says(|own| Some(own.contraction), |shell| Some(shell.contraction.value))
+        row.value(|outcome| Some(outcome.contraction), |shell| Some(shell.contraction.value))
     }),
     column_of_any("operating_pressure_kPa", "pressure of full actuation", |row| {
         Some(row.answer.operating_pressure.0)
     }),
     column_of_any("radial_stiffness_N_per_m", "radial stiffness at rest", |row| {
-        row.says(|own| own.stiffness, Measurements::known_stiffness)
+        row.value(|outcome| outcome.stiffness, Measurements::known_stiffness)
     }),
     column_of_any("object_force_N", "radial force on the object, of one star", |row| {
-        row.says(Outcome::object_force, |shell| shell.object_force().map(|force| force.value))
+        row.value(Outcome::object_force, |shell| shell.object_force().map(|force| force.value))
     }),
     column_of_any("payload_kg", "mass that friction holds, of the whole stack", |row| {
-        row.shell.map_or(row.answer.payload, |shell| row.held(shell.object_force()?.value))
+        row.shell.map_or(row.answer.payload, |shell| row.payload(shell.object_force()?.value))
     }),
     hinges("burst_pressure_kPa", "pressure at which the seal peels", |row| row.answer.burst.map(|p| p.0)),
     // mm^2 to cm^2.
@@ -95,7 +95,7 @@ pub(super) const PLAIN: [OutputColumn; 20] = [
         row.answer.burst.zip(row.point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)
     }),
     hinges("widest_radius_mm", "largest radius of an object that the inflated star can hold", |row| {
-        row.own().map(|own| mm(own.graspable[1]))
+        row.outcome().map(|outcome| mm(outcome.graspable[1]))
     }),
     low("final_radius_lo_mm", radius),
     high("final_radius_hi_mm", radius),
@@ -116,10 +116,10 @@ pub(super) const MORE: [OutputColumn; 13] = [
     hinges(
         "preload_N",
         "radial force that is stored in a star whose arms touch and press on each other",
-        |row| row.own()?.preload,
+        |row| row.outcome()?.preload,
     ),
     hinges("largest_opening_mm", "inner radius at which the arms of the inflated star lock", |row| {
-        row.own().map(|own| mm(own.rest.widest.radius))
+        row.outcome().map(|outcome| mm(outcome.rest.widest.radius))
     }),
     column_of_any("realised_tip_radius_mm", "inner radius that the band makes of the tips", |row| {
         Some(mm(row.answer.case.realised.tip))
@@ -128,7 +128,7 @@ pub(super) const MORE: [OutputColumn; 13] = [
         Some(mm(row.answer.case.realised.corner))
     }),
     hinges("peak_opening_deg", "angle of the tips where the arms lock", |row| {
-        row.own().map(|own| own.rest.widest.angle.to_degrees())
+        row.outcome().map(|outcome| outcome.rest.widest.angle.to_degrees())
     }),
     column_of_any("mass_g", "mass of one star's fabric", |row| {
         // kg/m^2 times mm^2 is 1e-3 g.
@@ -160,7 +160,7 @@ pub(super) const SHELL_OUTPUTS: [OutputColumn; 19] = [
     open("tip_angle_mesh_error_deg", |row| Some(row.shell?.tip_angle.error)),
     open("radial_stiffness_mesh_error_N_per_m", |row| Some(row.shell?.stiffness.error)),
     open("object_force_mesh_error_N", |row| Some(row.shell?.object_force()?.error)),
-    open("payload_mesh_error_kg", |row| row.held(row.shell?.object_force()?.error)),
+    open("payload_mesh_error_kg", |row| row.payload(row.shell?.object_force()?.error)),
     open("volume_mesh_error_mm3", |row| Some(row.shell?.volume.error)),
     open("arm_contact_mesh_error_N", |row| Some(row.shell?.contact.error)),
     open("arm_contact_mesh_error_mm2", |row| Some(row.shell?.contact_area.error)),

@@ -16,16 +16,18 @@ pub(super) fn plain() -> Vec<&'static OutputColumn> {
 }
 
 /// All columns that one of the models in `kinds` has.
-pub(super) fn known(kinds: ModelKinds) -> Vec<&'static OutputColumn> {
+pub(super) fn available(kinds: ModelKinds) -> Vec<&'static OutputColumn> {
     all_columns().filter(|output| output.is_known(kinds)).collect()
 }
 
 /// The columns selected by `names` in the study `source`, in that order.
-pub(super) fn chosen(
+pub(super) fn by_names(
     names: &[Wanted],
     source: &Source,
     kinds: ModelKinds,
 ) -> Result<Vec<&'static OutputColumn>, Faults> {
+    // Each name is looked up among all columns. A second one of a name, one of a model that no row uses, and one that does
+    // not exist are faults, which are all reported.
     let mut faults = Vec::new();
     let mut outputs: Vec<&'static OutputColumn> = Vec::new();
     for Wanted { name, place } in names {
@@ -47,10 +49,10 @@ pub(super) fn chosen(
             }
             Some(output) => outputs.push(output),
             None => {
-                let names = || known(kinds).into_iter().map(|output| output.name);
-                let help = match nearest(name, names()) {
+                let names: Vec<&str> = available(kinds).iter().map(|output| output.name).collect();
+                let help = match nearest(name, names.iter().copied()) {
                     Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!("columns are {}", names().collect::<Vec<_>>().join(", ")),
+                    None => format!("columns are {}", names.join(", ")),
                 };
                 faults.push(fault(FaultCode::NoColumn, "no column has this name").help(help));
             }

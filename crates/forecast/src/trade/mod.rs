@@ -16,7 +16,7 @@ use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::{Ring, RingTable};
 use inflatable::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
 use inflatable::mechanics::star::Mechanism;
-use inflatable::mechanics::star::response::{Inflated, Rest};
+use inflatable::mechanics::star::response::Inflated;
 use spec::StarSpec;
 use spec::units::Length;
 use std::fmt::Write;
@@ -54,29 +54,26 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
     models
         .extend(penalised.iter().map(|bvp| (format!("bvp, beta = {}", bvp.beta()), bvp as &dyn HingeModel)));
     let trade_stars = stars(base);
-    let exact = TargetTable::of(&Ring)?;
+    let exact = TargetTable::new(&Ring)?;
     models
         .into_iter()
-        .map(|(model, own)| {
-            let (time, table) = time_of(own, clock)?;
+        .map(|(title, model)| {
+            let (time, table) = time_of(model, clock)?;
             let mut errors = [Some(0.0), Some(0.0), None, Some(0.0), Some(0.0)];
             for ((exact, state), r_star) in exact.targets.iter().zip(&table.targets).zip(R_STARS) {
                 raise(&mut errors[0], state.lambda, exact.lambda);
                 raise(&mut errors[1], state.curvature, exact.curvature);
-                let load = |state: &HingeState| seal_load(r_star, state);
-                if let Some((load, exact)) = load(state).zip(load(exact)) {
+                if let Some((load, exact)) = seal_load(r_star, state).zip(seal_load(r_star, exact)) {
                     raise(&mut errors[2], load, exact);
                 }
             }
             for star in &trade_stars {
-                let rest = |model: &TargetTable| -> Result<Rest, StarFault> {
-                    Ok(Inflated::new(star, model, 1e4)?.linear_rest())
-                };
-                let (exact, rest) = (rest(&exact)?, rest(&table)?);
+                let exact = Inflated::new(star, &exact, 1e4)?.linear_rest();
+                let rest = Inflated::new(star, &table, 1e4)?.linear_rest();
                 raise(&mut errors[3], rest.radius, exact.radius);
                 raise(&mut errors[4], rest.stiffness, exact.stiffness);
             }
-            Ok(TradeRow { model, time, errors })
+            Ok(TradeRow { model: title, time, errors })
         })
         .collect()
 }
@@ -88,7 +85,7 @@ struct TargetTable {
 }
 
 impl TargetTable {
-    fn of(model: &dyn HingeModel) -> Result<Self, StarFault> {
+    fn new(model: &dyn HingeModel) -> Result<Self, StarFault> {
         let mut targets = [model.target(R_STARS[0])?; R_STARS.len()];
         for (target, r_star) in targets.iter_mut().zip(R_STARS).skip(1) {
             *target = model.target(std::hint::black_box(r_star))?;
@@ -141,9 +138,9 @@ fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, Targ
     let mut repeats = 1_u32;
     loop {
         let start = clock();
-        let mut table = TargetTable::of(model)?;
+        let mut table = TargetTable::new(model)?;
         for _ in 1..repeats {
-            table = std::hint::black_box(TargetTable::of(model)?);
+            table = std::hint::black_box(TargetTable::new(model)?);
         }
         let time = clock() - start;
         if time >= 0.1 || repeats >= 1 << 22 {

@@ -103,7 +103,7 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
                     answer.stiffness_Nm / finest_shell.stiffness.value - 1.0,
                 ]);
             }
-            for finest_shell in at(&finest, pressure) {
+            for finest_shell in at_pressure(&finest, pressure) {
                 row.add(finest_shell, level, clock)?;
             }
             rows.push(row);
@@ -115,8 +115,8 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
     Ok(rows)
 }
 
-fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
-    finest.iter().filter(move |known| known.pressure.total_cmp(&pressure).is_eq())
+fn at_pressure(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
+    finest.iter().filter(move |shell| shell.pressure.total_cmp(&pressure).is_eq())
 }
 
 /// The shell of this fineness and pressure with so many points; without points the V-actuator.
@@ -138,6 +138,10 @@ fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
     Ok(Actuator { width: 0.02, radius: 0.002, arm: 0.08, angle, pressure: 1e3 * kilopascals, sheet })
 }
 
+/// The row of the shells of one fineness at `pressure`.
+///
+/// The errors are distances from the finest shells. The row of the finest meshes has their relative mesh errors instead, with which the
+/// others are compared. The time is the mean over the stars that were computed.
 fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]) -> ShellRow {
     let pair = matching_shell(computed, fineness, None, pressure)
         .zip(matching_shell(computed, "fine", None, pressure));
@@ -146,37 +150,30 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
         pressure,
         is_measured: false,
         time: 0.0,
-        actuator: pair.map(|(pair, known)| {
+        actuator: pair.map(|(shell, fine)| {
             if fineness == "fine" {
-                return [known.rest.mesh_error, known.stiffness.mesh_error / known.stiffness.value];
+                return [fine.rest.mesh_error, fine.stiffness.mesh_error / fine.stiffness.value];
             }
-            [pair.rest.value - known.rest.value, pair.stiffness.value / known.stiffness.value - 1.0]
+            [shell.rest.value - fine.rest.value, shell.stiffness.value / fine.stiffness.value - 1.0]
         }),
         stars: Vec::new(),
     };
     let mut times = Vec::new();
-    for known in at(finest, pressure) {
+    for reference in at_pressure(finest, pressure) {
+        let points = reference.points;
         if fineness == "fine" {
-            // Relative mesh error of the reference that the others are compared with.
-            let open = |known: MeshedValue| known.mesh_error / known.value;
-            row.stars.push(StarErrors {
-                points: known.points,
-                radius: open(known.radius),
-                stiffness: Some(open(known.stiffness)),
-                force: Some(open(known.force)),
-            });
+            let [radius, stiffness, force] = [reference.radius, reference.stiffness, reference.force]
+                .map(|value: MeshedValue| value.mesh_error / value.value);
+            row.stars.push(StarErrors { points, radius, stiffness: Some(stiffness), force: Some(force) });
             continue;
         }
-        let Some(shell) = matching_shell(computed, fineness, Some(known.points), pressure) else { continue };
+        let Some(shell) = matching_shell(computed, fineness, Some(points), pressure) else { continue };
         times.push(shell.time);
-        let part = |shell: MeshedValue, known: MeshedValue| {
-            Some(shell.value / known.value - 1.0).filter(|part| part.is_finite())
-        };
         row.stars.push(StarErrors {
-            points: known.points,
-            radius: shell.rest.value / known.radius.value - 1.0,
-            stiffness: part(shell.stiffness, known.stiffness),
-            force: shell.force.and_then(|force| part(force, known.force)),
+            points,
+            radius: shell.rest.value / reference.radius.value - 1.0,
+            stiffness: relative_error(shell.stiffness, reference.stiffness),
+            force: shell.force.and_then(|force| relative_error(force, reference.force)),
         });
     }
     if times.is_empty() {
@@ -185,6 +182,11 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     }
     row.time = mean(&times);
     row
+}
+
+/// Distance of `value` from `reference`, by that; `None` if it is not finite.
+fn relative_error(value: MeshedValue, reference: MeshedValue) -> Option<f64> {
+    Some(value.value / reference.value - 1.0).filter(|error| error.is_finite())
 }
 
 /// Checks the mesh errors of coarser shells against the finest.
@@ -198,21 +200,22 @@ pub fn mesh_errors() -> Vec<Agreement> {
                 continue;
             }
             let mut row = Agreement { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
-            for known in &finest {
-                let Some(own) = matching_shell(&computed, fineness, Some(known.points), known.pressure)
+            for star in &finest {
+                let Some(shell) = matching_shell(&computed, fineness, Some(star.points), star.pressure)
                 else {
                     continue;
                 };
-                let (own, known) = match quantity {
-                    "rho_f" => (Some(own.rest), known.radius),
-                    "K" => (Some(own.stiffness), known.stiffness),
-                    _ => (own.force, known.force),
+                let (value, reference) = match quantity {
+                    "rho_f" => (Some(shell.rest), star.radius),
+                    "K" => (Some(shell.stiffness), star.stiffness),
+                    _ => (shell.force, star.force),
                 };
-                let Some(own) = own.filter(|own| own.value.is_finite()) else {
+                let Some(value) = value.filter(|value| value.value.is_finite()) else {
                     row.unknown += 1;
                     continue;
                 };
-                let deviation = (own.value - known.value).abs() / (own.mesh_error + known.mesh_error);
+                let deviation =
+                    (value.value - reference.value).abs() / (value.mesh_error + reference.mesh_error);
                 row.of += 1;
                 row.held += usize::from(deviation <= 1.0);
                 row.furthest = row.furthest.max(deviation);

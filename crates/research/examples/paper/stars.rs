@@ -105,7 +105,7 @@ pub(crate) fn case(points: u32, pressure: f64) -> (Case, f64) {
 pub(crate) fn around(points: u32, pressure: f64, rho: f64) -> Outcome {
     let (case, pascals) = case(points, pressure);
     let model = tabled(&case, pascals).expect("in range");
-    Outcome::of(&Case { object: Some(1e-3 * rho), ..case }, &model).expect("in range").1
+    Outcome::by_model(&Case { object: Some(1e-3 * rho), ..case }, &model).expect("in range").1
 }
 
 /// F on an object of the radius `rho`, mm, and its range; `None` where the star does not reach it.

@@ -8,7 +8,7 @@ use stargrip_cam::forecast::interval::mm;
 use stargrip_cam::forecast::model_selection::tabled;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::Domain;
-use stargrip_cam::forecast::ranges::shown::known;
+use stargrip_cam::forecast::ranges::shown::optional_with_range;
 use stargrip_cam::spec::{Source, read};
 
 /// Keys and values in place of the paper's.
@@ -47,10 +47,10 @@ fn spec(edits: Edits) -> String {
 fn said(edits: Edits) -> Result<String, String> {
     let spec = read(&Source::new("star", spec(edits))).map_err(|faults| faults.to_string())?.spec;
     let star = Star::new(&spec.stars[0]).map_err(|refusal| refusal.to_string())?;
-    let case = Case::of(&spec, &star).map_err(|fault| fault.to_string())?;
+    let case = Case::of_star(&spec, &star).map_err(|fault| fault.to_string())?;
     let pressure = case.pressure.unwrap_or_default();
     let model = tabled(&case, pressure).map_err(|fault| fault.to_string())?;
-    let (case, own) = Outcome::of(&case, &model).map_err(|fault| fault.to_string())?;
+    let (case, own) = Outcome::by_model(&case, &model).map_err(|fault| fault.to_string())?;
     let (width, arm) = (case.mechanism.width, case.mechanism.arm);
     let standing = match own.ranges.domain {
         Domain::Validated if own.ranges.stiffness.is_none() => "tried; its arms touch",
@@ -64,8 +64,8 @@ fn said(edits: Edits) -> Result<String, String> {
         case.sheet.thickness / width,
         case.sheet.stretch(pressure, width),
         arm / width,
-        known(Some(1e3 * own.rest.radius), own.ranges.radius.map(mm), "mm"),
-        known(Some(own.rest.stiffness), own.ranges.stiffness, "N/m"),
+        optional_with_range(Some(1e3 * own.rest.radius), own.ranges.radius.map(mm), "mm"),
+        optional_with_range(Some(own.rest.stiffness), own.ranges.stiffness, "N/m"),
     ))
 }
 
