@@ -798,7 +798,7 @@ fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
         let args: Vec<&str> = command.split(' ').chain(["--json"]).collect();
         let found = json_of(&done(dir.path(), &args));
         let predicted = json_of(&done(dir.path(), &["predict", name, "--json"]));
-        // Its wrinkles are averaged: folds may pull as hard as the upper end of the range.
+        // Its wrinkles are too fine to resolve: folds may pull as hard as the upper end of the range.
         let pull = &predicted["chambers"][0]["ranges"]["seal_pull_N_per_mm"][1];
         assert_eq!(&found["needed_N_mm"], pull);
         assert!(pull.as_f64().is_some_and(|pull| pull > 0.1), "{pull}");

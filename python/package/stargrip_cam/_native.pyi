@@ -536,7 +536,7 @@ class DrawnPrediction:
         """Whether a chamber may leave the plane of the drawing. By the shell only."""
     @property
     def chambers(self) -> list[Chamber]:
-        """Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`, `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error; where `wrinkles` are averaged, `ranges` of height, extents, volume and pull; `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it."""
+        """Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`, `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error; where `wrinkles` are blended or averaged, or there is a `second_shape`, `ranges` of height, extents, volume and pull; `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it."""
     @property
     def measures(self) -> list[dict[str, Any]]:
         """Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell."""
@@ -579,10 +579,13 @@ class Chamber:
         """Stretch p W / Y of the fabric."""
     @property
     def wrinkles(self) -> str | None:
-        """Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged)."""
+        """Whether wrinkles are on the mesh (resolved), partly on a stiffer sheet's (blended), or the shape is their mean (averaged)."""
     @property
     def ranges(self) -> dict[str, Any] | None:
-        """Ranges where they are averaged."""
+        """Ranges where they are blended or averaged, or there is a second shape."""
+    @property
+    def second_shape(self) -> dict[str, Any] | None:
+        """The other stable shape at this pressure, if one was found."""
     @property
     def height_mm(self) -> dict[str, Any] | None:
         """Largest distance between the sheets."""

@@ -3,12 +3,12 @@
 //! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with ranges where wrinkles are averaged, [`text`] formats it. No hinge model covers a
 //! drawn shape, so without the shell only flat quantities are predicted.
 
-pub mod averaged;
 pub mod chambers;
 pub mod measures;
 pub mod prediction;
 pub mod pressures;
 pub mod seams;
+pub mod shapes;
 pub mod text;
 
 use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
@@ -101,7 +101,7 @@ pub fn inflate(
         let chamber_watch = Watch { progress: Some(&report_part), ..watch.clone() };
         let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
             .map_err(|why| not_inflated(&why, answer, count))?;
-        is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
+        is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
         answer.fill(&inflated, pieces, *highest, &strengths);
         answer.scale_burst(pressure.0 / highest.0);
         measures::fill(placed, &mut prediction.measures, number, &inflated);
@@ -114,7 +114,7 @@ pub fn inflate(
     let parted: usize = pieces.pieces.iter().map(|piece| piece.shape.topology().chambers.len()).sum();
     let warnings = [
         is_weave_left_out.then(|| {
-            "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic".to_owned()
+            "shear_modulus is left out of the mean of wrinkles that are not resolved: there the sheet is isotropic".to_owned()
         }),
         (parted > count).then(|| {
             let pressures = match &prediction.pressures_kPa {
@@ -133,13 +133,13 @@ pub fn inflate(
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
-/// The most unknowns that a command computes unasked: half a minute, six times as many as those of a usual drawing on coarse meshes.
+/// The most unknowns that a command computes unasked: two minutes, six times as many as those of a usual drawing on coarse meshes.
 pub const MOST_UNKNOWNS: f64 = 80_000.0;
 
-/// Time for three meshes of which the finest has this many unknowns, s, on one processor of 2024. Measured at 1 to 36 islands on coarse
-/// meshes; meshes without an equilibrium, which are tried again with other edges, take several times as long.
+/// Time for three meshes of which the finest has this many unknowns, s, on one processor of 2024. Measured on the shipped drawings on coarse
+/// meshes, from flat and from above; meshes without an equilibrium, which are tried again with other edges, take several times as long.
 fn seconds(unknowns: f64) -> f64 {
-    73.0 * libm::pow(unknowns / 140_000.0, 1.8)
+    330.0 * libm::pow(unknowns / 140_000.0, 1.8)
 }
 
 /// Tells `watch` the size of the computation before it begins, or refuses one that is larger than it accepts.

@@ -1,10 +1,10 @@
 //! The answer about a drawn piece: lengths in mm, in the frame of the drawing.
 
-use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
 use crate::drawn::pressures::PortPressure;
 use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
+use crate::drawn::shapes::{ShapeRanges, averaged_pull, averaged_warning, blended_warning, second_warning};
 use crate::interval::Interval;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue, six};
@@ -12,7 +12,7 @@ use crate::model_search::AccuracySearch;
 use crate::seal_load::{Bursting, bursts_at};
 use crate::warning::{PredictionWarning, WarningCode};
 use design::{DrawnPieces, Refusal, RefusalCode};
-use inflatable::shell::cases::{InflatedRegion, PlaneState, Wrinkles};
+use inflatable::shell::cases::{InflatedRegion, PlaneState, Value, Wrinkles};
 use serde::Serialize;
 use spec::key;
 use spec::units::{Length, LineForce, Most, Pressure};
@@ -47,7 +47,7 @@ keyed! {
         pub leaves_plane: Option<bool>,
         /// Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
         /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error; where
-        /// `wrinkles` are averaged, `ranges` of height, extents, volume and pull;
+        /// `wrinkles` are blended or averaged, or there is a `second_shape`, `ranges` of height, extents, volume and pull;
         /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
         pub chambers: Vec<ChamberPrediction>,
         /// Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell.
@@ -60,7 +60,7 @@ keyed! {
 kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
-    Object: MeshedValue, DrawnEvidence, AveragedRanges, FirstOpening;
+    Object: MeshedValue, DrawnEvidence, ShapeRanges, SecondShape, FirstOpening;
     List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<PortPressure>, Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
 }
@@ -110,10 +110,13 @@ keyed! {
         pub bendability: Option<f64>,
         /// Stretch p W / Y of the fabric.
         pub stretch: Option<f64>,
-        /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
+        /// Whether wrinkles are on the mesh (resolved), partly on a stiffer sheet's (blended), or the shape is their mean (averaged).
         pub wrinkles: Option<&'static str>,
-        /// Ranges where they are averaged.
-        pub ranges: Option<AveragedRanges>,
+        /// Ranges where they are blended or averaged, or there is a second shape.
+        pub ranges: Option<ShapeRanges>,
+        /// The other stable shape at this pressure, if one was found.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub second_shape: Option<SecondShape>,
         /// Largest distance between the sheets.
         pub height_mm: Option<MeshedPlace>,
         /// Extents of the inflated chamber where it lies best on the flat one.
@@ -148,6 +151,36 @@ keyed! {
     }
 }
 
+/// A stable shape of more energy than that of the answer.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct SecondShape {
+    /// Largest distance between the sheets.
+    pub height_mm: MeshedPlace,
+    /// Extents along x and y.
+    pub extents_mm: [MeshedValue; 2],
+    /// Volume.
+    pub volume_mm3: MeshedValue,
+    /// Largest pull of one sheet on a seam.
+    pub seal_pull_N_per_mm: MeshedPlace,
+    /// By how much its energy, the work of the pressure included, is larger.
+    pub more_energy_mJ: MeshedValue,
+}
+
+impl SecondShape {
+    fn new(region: &InflatedRegion) -> Option<Self> {
+        let second = region.second.as_deref()?;
+        let difference = [0, 1, 2].map(|mesh| second.energy.meshes[mesh] - region.energy.meshes[mesh]);
+        Some(Self {
+            height_mm: MeshedPlace::rounded(second.height.scaled(1e3), second.height_at),
+            extents_mm: second.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3))),
+            volume_mm3: MeshedValue::rounded(second.volume.scaled(1e9)),
+            seal_pull_N_per_mm: MeshedPlace::rounded(second.seal_pull.scaled(1e-3), second.pull_at),
+            more_energy_mJ: MeshedValue::rounded(Value::new(difference).scaled(1e3)),
+        })
+    }
+}
+
 /// Whether a chamber stays in the plane of the drawing, by the lowest eigenvalue and two of its mesh errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -170,6 +203,10 @@ impl PlaneAnswer {
         }
     }
 }
+
+/// The words for [`Wrinkles`] that are not resolved.
+const BLENDED: &str = "blended";
+const AVERAGED: &str = "averaged";
 
 impl ChamberPrediction {
     /// The prediction of a chamber without a model: flat sizes only.
@@ -202,9 +239,16 @@ impl ChamberPrediction {
     ) {
         let seams = seam_predictions(region, pieces);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
-        let is_averaged = region.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
-        let opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
+        let is_averaged = region.wrinkles == Wrinkles::Averaged;
+        let mut opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
+        let second_opening = region
+            .second
+            .as_deref()
+            .and_then(|second| processes.first_opening(&seam_predictions(second, pieces), pressure));
+        if let Some(((_, (_, range)), (_, (_, [low, high])))) = opening.as_mut().zip(second_opening) {
+            *range = [range[0].min(low), range[1].max(high)];
+        }
         let burst = opening.as_ref().map(|(_, burst)| *burst);
         self.bursts_first =
             opening.filter(|_| processes.differ()).map(|(seam, (burst, range))| FirstOpening {
@@ -215,14 +259,14 @@ impl ChamberPrediction {
             });
         self.wrinkles = Some(match region.wrinkles {
             Wrinkles::Resolved => "resolved",
-            Wrinkles::Averaged => "averaged",
+            Wrinkles::Blended => BLENDED,
+            Wrinkles::Averaged => AVERAGED,
         });
         let height = MeshedPlace::rounded(region.height.scaled(1e3), region.height_at);
         let extents = region.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3)));
         let volume = MeshedValue::rounded(region.volume.scaled(1e9));
-        self.ranges = largest
-            .filter(|_| is_averaged)
-            .map(|pull| AveragedRanges::new(region.bendability, height, extents, volume, pull));
+        self.ranges = ShapeRanges::of_region(region);
+        self.second_shape = SecondShape::new(region);
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
         self.burst_pressure_kPa = burst.map(|(burst, _)| rounded_kpa(burst));
@@ -250,6 +294,27 @@ impl ChamberPrediction {
             first.pressure_kPa = six(ratio * first.pressure_kPa);
             first.range = first.range.map(|end| six(ratio * end));
         }
+    }
+
+    /// The range of the pull on a seam; `None` where its mesh error says all.
+    pub(super) fn pull_range(&self, pull: MeshedPlace) -> Option<Interval> {
+        let ranges = self.ranges?;
+        if self.wrinkles == Some(AVERAGED) {
+            return Some(averaged_pull(pull));
+        }
+        // The second shape may pull elsewhere: the largest pull has its range, others that of their own values.
+        let is_largest = self.seal_pull_N_per_mm == Some(pull);
+        let MeshedPlace { value, mesh_error, .. } = pull;
+        Some(if is_largest {
+            ranges.seal_pull_N_per_mm
+        } else {
+            [(value - mesh_error).max(0.0), value + mesh_error]
+        })
+    }
+
+    /// The largest value that a pull may have, by its range.
+    fn largest_pull(&self, pull: MeshedPlace) -> f64 {
+        self.pull_range(pull).map_or(pull.value, |[_, high]| high)
     }
 
     /// Name of the chamber among `count` chambers, as text.
@@ -291,17 +356,15 @@ impl DrawnPrediction {
         self.evidence.warnings = self.warnings();
     }
 
-    /// The largest pull on each seam of every chamber, with its place; `None` without the shell. Where wrinkles are averaged, it is the upper end
-    /// of its range.
+    /// The largest pull on each seam of every chamber, with its place; `None` without the shell. Where it has a range, it is
+    /// the upper end.
     pub fn seam_loads(&self) -> Vec<(Option<LineForce>, String)> {
         let count = self.chambers.len();
         let of_chamber = |one: &ChamberPrediction| {
             let place = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
             let seams = one.seams.iter().flatten();
             let pulls = seams.map(|seam| {
-                let pull = seam.pull_N_per_mm;
-                let largest = if one.ranges.is_some() { pull_range(pull)[1] } else { pull.value };
-                (Some(LineForce(largest)), format!("{}{place}", seam.seam))
+                (Some(LineForce(one.largest_pull(seam.pull_N_per_mm))), format!("{}{place}", seam.seam))
             });
             let mut loads: Vec<_> = pulls.collect();
             if loads.is_empty() {
@@ -350,14 +413,20 @@ impl DrawnPrediction {
         let count = self.chambers.len();
         let leaving = self.leaving().map(|text| PredictionWarning::new(WarningCode::LeavesPlane, text));
         let mut list: Vec<PredictionWarning> = leaving.into_iter().collect();
-        let averaged = self.chambers.iter().filter(|one| one.ranges.is_some());
-        let names: Vec<String> = averaged.map(|one| one.name(count)).collect();
-        if !names.is_empty() {
-            list.push(warning(&names.join(", ")).into());
-            if !self.measures.is_empty() {
-                let text = "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more";
-                list.push(PredictionWarning::new(WarningCode::Validity, text));
-            }
+        let names = |is_named: &dyn Fn(&ChamberPrediction) -> bool| {
+            let named = self.chambers.iter().filter(|one| is_named(one));
+            named.map(|one| one.name(count)).collect::<Vec<String>>().join(", ")
+        };
+        let of_shapes = [
+            (names(&|one| one.wrinkles == Some(AVERAGED)), averaged_warning as fn(&str) -> String),
+            (names(&|one| one.wrinkles == Some(BLENDED)), blended_warning),
+            (names(&|one| one.second_shape.is_some()), second_warning),
+        ];
+        let texts = of_shapes.iter().filter(|(names, _)| !names.is_empty()).map(|(names, text)| text(names));
+        list.extend(texts.map(PredictionWarning::from));
+        if !self.measures.is_empty() && self.chambers.iter().any(|one| one.ranges.is_some()) {
+            let text = "measures have mesh errors only: another shape with folds may differ by more";
+            list.push(PredictionWarning::new(WarningCode::Validity, text));
         }
         for one in &self.chambers {
             let coarse = [

@@ -1,8 +1,7 @@
 //! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
-use crate::drawn::averaged::pull_range;
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
-use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
+use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction, SecondShape};
 use crate::drawn::pressures::PortPressure;
 use crate::interval::{Interval, scaled};
 use crate::meshed::{MeshedPlace, MeshedValue};
@@ -81,13 +80,14 @@ fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
     line(page, "largest pull on the seal", pull);
     for seam in chamber.seams.iter().filter(|seams| seams.len() > 1).flatten() {
         let pull = seam.pull_N_per_mm;
-        line(page, &format!("  {}", seam.seam), place(Some(pull), ranges.map(|_| pull_range(pull)), "N/mm"));
+        line(page, &format!("  {}", seam.seam), place(Some(pull), chamber.pull_range(pull), "N/mm"));
     }
     line(
         page,
         "volume",
         chamber.volume_mm3.map(|volume| litres(volume, ranges.map(|ranges| ranges.volume_mm3))),
     );
+    line(page, "second stable shape", chamber.second_shape.map(second));
     line(page, "largest stretch", place(chamber.largest_stretch, None, ""));
     line(page, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
     let plane_text = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
@@ -104,6 +104,16 @@ fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
     let wrinkles = chamber.wrinkles.map_or(String::new(), |how| format!(", wrinkles {how}"));
     line(page, "bendability", chamber.bendability.map(|number| shown::rounded(number) + &wrinkles));
     line(page, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));
+}
+
+/// Height, extents and volume of a second shape in words.
+fn second(
+    SecondShape { height_mm, extents_mm: [x, y], volume_mm3, more_energy_mJ, .. }: SecondShape,
+) -> String {
+    let [height, x, y] = [height_mm.value, x.value, y.value].map(shown::rounded);
+    let volume = shown::rounded(1e-3 * volume_mm3.value);
+    let energy = shown::rounded(more_energy_mJ.value);
+    format!("{height} mm high, {x} x {y} mm, {volume} cm^3, with {energy} mJ more energy")
 }
 
 /// `value` with its range, which contains the mesh error; without a range with its mesh error.

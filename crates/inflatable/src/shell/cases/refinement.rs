@@ -43,6 +43,24 @@ pub struct Evidence {
     pub residual: f64,
 }
 
+/// How the coarsest mesh of a sheet that bears compression reaches its pressure. Pouches have two stable shapes at some pressures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Approach {
+    /// The pressure rises from the flat sheet.
+    #[default]
+    FromFlat,
+    /// It rises to [`OVERPRESSURE`] times itself and falls back.
+    FromAbove,
+}
+
+impl Evidence {
+    /// The evidence of two computations on the same meshes, this one after `earlier`.
+    pub(crate) fn after(&self, earlier: &Self) -> Self {
+        let efforts = earlier.efforts.iter().chain(&self.efforts).copied().collect();
+        Self { unknowns: earlier.unknowns.clone(), efforts, residual: self.residual.max(earlier.residual) }
+    }
+}
+
 /// A case to be run.
 pub(crate) struct Family<'a> {
     pub(crate) tube: Tube,
@@ -52,6 +70,9 @@ pub(crate) struct Family<'a> {
     /// The supports of a mesh; it may change the sheet's response to compression.
     pub(crate) hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
     pub(crate) obstacles: &'a [Obstacle],
+    pub(crate) approach: Approach,
+    /// Newton steps on one mesh at most.
+    pub(crate) most_steps: u32,
 }
 
 /// An equilibrium beside that at the pressure alone: with something pressed into it.
@@ -126,16 +147,21 @@ impl Family<'_> {
             solver.contact = Some(Contact::new(&solver.assembly, self.obstacles.to_vec()));
         }
         solver.cancel = Arc::clone(&watch.cancel);
+        solver.most_steps = self.most_steps;
         Ok(solver)
     }
 
-    /// From flat to the pressure of the case.
+    /// From flat to the pressure of the case, by its approach.
     pub(super) fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
         if solver.assembly.sheet.is_wrinkled() {
             let flat = solver.assembly.sheet.flat();
-            return self.let_down(solver, flat);
+            return self.let_down(solver, flat, WELL_STRETCHED);
         }
-        let continuation = self.tube.continuation();
+        let mut continuation = self.tube.continuation();
+        let highest = (OVERPRESSURE * continuation.last).min(MOST_STRETCHED);
+        if self.approach == Approach::FromAbove {
+            continuation.last = continuation.last.max(highest);
+        }
         let log_range = libm::log(continuation.last / continuation.first).max(1e-9);
         let report = |equilibrium: &Equilibrium| {
             watch.tell(
@@ -143,13 +169,23 @@ impl Family<'_> {
                 "from flat",
             );
         };
-        continuation.run(solver, report).map_err(|broken| self.fault(broken, solver.triangles()))
+        let equilibrium =
+            continuation.run(solver, report).map_err(|broken| self.fault(broken, solver.triangles()))?;
+        match self.approach {
+            Approach::FromFlat => Ok(equilibrium),
+            Approach::FromAbove => self.let_down(solver, equilibrium.state, highest),
+        }
     }
 
-    /// From `state` to the equilibrium at a pressure that stretches the sheet well, and down from there.
-    fn let_down(&self, solver: &mut Solver, mut state: State) -> Result<Equilibrium, ShellFault> {
+    /// From `state` to the equilibrium at the pressure `highest` or that of the case, if that is higher, and down to that of the case.
+    fn let_down(
+        &self,
+        solver: &mut Solver,
+        mut state: State,
+        highest: f64,
+    ) -> Result<Equilibrium, ShellFault> {
         let continuation = self.tube.continuation();
-        let mut pressure = continuation.last.max(WELL_STRETCHED);
+        let mut pressure = continuation.last.max(highest);
         let (mut last_rest, mut ratio) = (None::<Equilibrium>, DOWN);
         loop {
             match solver.rest_in_rounds(&mut state, continuation.aim(pressure), MOST_ROUNDS) {
@@ -197,7 +233,7 @@ impl Family<'_> {
         let continuation = self.tube.continuation();
         if fine.assembly.sheet.is_wrinkled() {
             let state = coarse.assembly.prolong(&equilibrium.state, &fine.assembly);
-            return match self.let_down(fine, state) {
+            return match self.let_down(fine, state, WELL_STRETCHED) {
                 Err(ShellFault::Stopped { .. }) => self.pressurise(fine, watch),
                 found => found,
             };
@@ -224,6 +260,9 @@ impl Family<'_> {
 /// p W/Y from which a sheet that bears no compression is let down: from flat and from a coarser mesh it comes to rest there within some ten
 /// steps, and at a hundredth of it hardly at all.
 const WELL_STRETCHED: f64 = 0.02;
+/// Pressure from which a sheet that bears compression is let down, by that of the case, and the largest p W/Y there.
+const OVERPRESSURE: f64 = 4.0;
+const MOST_STRETCHED: f64 = 0.1;
 /// Factor of pressure from one equilibrium to the next on the way down, and the one nearest to 1.
 const DOWN: f64 = 0.4;
 const LEAST_DOWN: f64 = 0.95;

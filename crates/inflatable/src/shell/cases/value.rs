@@ -33,6 +33,17 @@ impl Value {
         }
     }
 
+    /// `part` of the way from it to `other`, mesh by mesh; the part `open` of the difference between both adds to the error.
+    #[must_use]
+    pub(super) fn blended(self, other: Self, part: f64, open: f64) -> Self {
+        let meshes = std::array::from_fn(|mesh| {
+            let smooth = self.meshes[mesh];
+            smooth + part * (other.meshes[mesh] - smooth)
+        });
+        let blend = Self::new(meshes);
+        Self { error: blend.error + open * (other.value - self.value).abs(), ..blend }
+    }
+
     /// The value from an origin that lies `offset` lower.
     pub fn shifted(self, offset: f64) -> Self {
         Self { value: self.value + offset, error: self.error, meshes: self.meshes.map(|mesh| mesh + offset) }

@@ -94,6 +94,8 @@ pub struct Solver {
     pub effort: Effort,
     /// Raised by another thread to stop at the next step.
     pub cancel: Arc<AtomicBool>,
+    /// Newton steps of all solves together after which none is begun.
+    pub most_steps: u32,
     /// Whether the equilibrium of a sheet may be far away.
     pub may_snap: bool,
     /// Whether the state comes from a coarser mesh. Interpolation compresses some of its triangles, and a shift that outweighs them takes many
@@ -115,6 +117,7 @@ impl Solver {
             experience: Experience::NONE,
             effort: Effort::default(),
             cancel: Arc::default(),
+            most_steps: u32::MAX,
             may_snap: false,
             is_rough: false,
             factor,
@@ -157,6 +160,9 @@ impl Solver {
             self.experience.see(residual);
             if residual <= aim.tolerance && self.experience.shift == 0.0 && !self.is_rough {
                 return Ok(NewtonResult { energy, residual });
+            }
+            if self.effort.iterations >= self.most_steps {
+                return Err(Stop::Iterations);
             }
             self.find_step(aim)?;
             let was_rough = self.is_rough;

@@ -15,14 +15,14 @@ use crate::shell::cases::value::Value;
 pub enum Wrinkles {
     /// The sheet bears compression until it buckles; the mesh shows the wrinkles.
     Resolved,
-    /// They are too fine for a mesh: the sheet bears no compression, and the shape is their mean.
+    /// They are too fine for a mesh: the numbers lie between those of a sheet that is stiff enough and those of one that bears no compression.
+    Blended,
+    /// The sheet bears no compression, and the shape is the mean of its wrinkles.
     Averaged,
 }
 
-/// Largest 1/eps at which wrinkles are resolved: beyond, coarse meshes do not resolve the wrinkles of pillows and welds. A long tube of the
-/// averaged sheet is at most 2.5 % less high there than one of the resolved sheet, but a square pouch 74 % higher, and bent tubes coil 4 %
-/// further, because a hinge bears hoop compression.
-pub const MOST_RESOLVED: f64 = 1000.0;
+/// Largest 1/eps at which wrinkles are resolved, as those of stars. Coarse meshes show the folds of cushions there.
+pub const MOST_RESOLVED: f64 = 5000.0;
 /// The part of its stiffness against compression that an averaged sheet keeps, by p W/Y: where it is shortened by a quarter, as at the rim of
 /// a disc, it bears 0.25 % of p W.
 const LEFT: f64 = 1e-2;
@@ -31,11 +31,6 @@ const LEFT: f64 = 1e-2;
 const LEAST_BENDING: f64 = 2e-2;
 
 impl Wrinkles {
-    /// The treatment for sheets like those of `tube`.
-    pub(super) fn of(tube: &Tube) -> Self {
-        if tube.bendability() > MOST_RESOLVED { Self::Averaged } else { Self::Resolved }
-    }
-
     /// The response of a sheet of `tube` without stiffness against compression.
     pub(super) fn law(tube: &Tube) -> Compression {
         Compression::Wrinkled(LEFT * tube.stretch())
@@ -119,6 +114,10 @@ pub struct InflatedRegion {
     pub surface: Surface,
     /// The positions of the probes on the upper sheet, m, where the inflated chamber lies best on the flat one; of each mesh, coarse to fine.
     pub probed: Vec<Vec<[f64; 3]>>,
+    /// Energy of both sheets less the work of the pressure, J.
+    pub energy: Value,
+    /// The other stable shape at this pressure, of more energy, if another one was found.
+    pub second: Option<Box<Self>>,
     /// The evidence for these values.
     pub evidence: Evidence,
 }
@@ -156,7 +155,7 @@ pub enum PlaneState {
 /// The results of the family of meshes of `case`.
 pub(super) fn answer(
     case: &FlatRegion,
-    tube: &Tube,
+    (tube, wrinkles): (&Tube, Wrinkles),
     (values, evidence): ([Value; NUMBERS], Evidence),
     pulls: &[Vec<Station>],
     (measured, shape, surface): (Measured, InflatedShape, Surface),
@@ -168,11 +167,11 @@ pub(super) fn answer(
     let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));
     let place = |at: [f64; 2]| at.map(|x| x * w);
     let flat = case.chamber.outline.bounds();
-    let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, pull] = values;
+    let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, energy, pull] = values;
     InflatedRegion {
         width: w,
         bendability: tube.bendability(),
-        wrinkles: Wrinkles::of(tube),
+        wrinkles,
         height: height.scaled(w),
         height_at: place(measured.height_at),
         flat_extents: [flat.width(), flat.height()],
@@ -191,6 +190,8 @@ pub(super) fn answer(
         shape,
         surface,
         probed: Vec::new(),
+        energy: energy.scaled(2.0 * tube.energy()),
+        second: None,
         evidence,
     }
 }

@@ -3,8 +3,9 @@
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Family, Watch};
-use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
+use crate::shell::cases::refinement::{Approach, Family, Watch};
+use crate::shell::cases::region::answer::{InflatedRegion, MOST_RESOLVED, Wrinkles, answer};
+use crate::shell::cases::region::branches::{Blend, blended, lower_of};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
 use crate::shell::cases::region::pressures::PartialPressure;
@@ -15,7 +16,8 @@ use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::element::Fabric;
-use crate::shell::mesh::Meshed;
+use crate::shell::mesh::{FlatChamber, Meshed};
+use geom::Path;
 
 impl FlatRegion {
     /// About how many unknowns the finest mesh of `fineness` has; 0 where the chamber has no mesh.
@@ -25,16 +27,7 @@ impl FlatRegion {
         #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
         let triangles = meshed.mesh.triangles.len() as f64;
         // Each cut makes four triangles of one.
-        self.unknowns_of_triangle() * triangles * (0..fineness.cuts).fold(1.0, |times, _| 4.0 * times)
-    }
-
-    /// Three unknowns of each point and one of each edge are three by triangle; a sheet whose wrinkles are averaged has those of points only.
-    fn unknowns_of_triangle(&self) -> f64 {
-        let tube = Tube { width: self.chamber.widest(), fabric: self.fabric, pressure: self.pressure };
-        match Wrinkles::of(&tube) {
-            Wrinkles::Resolved => 3.0,
-            Wrinkles::Averaged => 1.5,
-        }
+        UNKNOWNS_OF_TRIANGLE * triangles * (0..fineness.cuts).fold(1.0, |times, _| 4.0 * times)
     }
 
     /// Coarse meshes: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, if that leaves one edge across the
@@ -43,14 +36,13 @@ impl FlatRegion {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
         let chamber = self.chamber.by(width);
-        let of_triangle = self.unknowns_of_triangle();
-        let of_squares = TRIANGLES_OF_SQUARE * of_triangle * squares;
+        let of_squares = TRIANGLES_OF_SQUARE * UNKNOWNS_OF_TRIANGLE * squares;
         let mut cells = (QUICK / of_squares).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
         let mut best = (f64::INFINITY, cells);
         for _ in 0..LOOKS {
             let Ok((meshed, _)) = chamber.mesh(cells) else { break };
             #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
-            let unknowns = of_triangle * meshed.mesh.triangles.len() as f64;
+            let unknowns = UNKNOWNS_OF_TRIANGLE * meshed.mesh.triangles.len() as f64;
             if unknowns < best.0 {
                 best = (unknowns, cells);
             }
@@ -63,6 +55,8 @@ impl FlatRegion {
     }
 }
 
+/// Three unknowns of each point and one of each edge, by triangle.
+const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
 /// Unknowns of a quick look's coarsest mesh, triangles of a square of the chamber's width with one edge across, and the most edges across.
 const QUICK: f64 = 800.0;
 const TRIANGLES_OF_SQUARE: f64 = 4.2;
@@ -80,69 +74,199 @@ const MOST_BENDABLE_REGION: f64 = 1e10;
 const OTHER_MESHES: [f64; 4] = [0.85, 1.2, 0.7, 1.45];
 const LEAST_CELLS: f64 = 1.0;
 
-/// Inflates one chamber from flat, on meshes of about the requested fineness.
+/// 1/eps below which other meshes are tried rather than stiffer sheets, and to which a sheet is stiffened at last.
+const SURELY_RESOLVED: f64 = 1000.0;
+/// Least 1/eps at which a second shape is looked for: at 750 the shape from flat is the only one of a square pouch.
+const LEAST_FOLDED: f64 = 500.0;
+/// 1/eps from which on folds are fine, by that which is resolved: between both the difference of a folded and a smooth shape falls as the root of
+/// 1/eps. Independent shells of square pouches differ by 6 % at 11,000 and 5 % at 29,000 from the smooth height, a disc by 8 % at 29,000.
+const FADED: f64 = 20.0;
+/// Newton steps on one mesh above which a sheet counts as not resolved; usual are 50 to 150, at most 200.
+const MOST_STEPS: u32 = 300;
+
+/// Largest 1/eps at which the wrinkles of `chamber`, `width` wide, are resolved.
+fn most_resolved(chamber: &FlatChamber, width: f64) -> f64 {
+    let is_divided = !chamber.islands.is_empty() || !chamber.welds.is_empty();
+    let rims = chamber.curves().map(Path::length).sum::<f64>();
+    let is_tube = !is_divided && 2.0 * chamber.area() > TUBE * width * rims;
+    if is_tube { MOST_RESOLVED_OF_TUBES } else { MOST_RESOLVED }
+}
+
+/// Area of a chamber by half its width and rims from which on it is a tube: one whose length is three times its width.
+const TUBE: f64 = 0.75;
+/// Largest 1/eps at which bent and straight tubes are resolved: their hinges bear compression, and coarse meshes show what wrinkles there are.
+const MOST_RESOLVED_OF_TUBES: f64 = 1e5;
+
+/// A try to inflate a chamber.
+#[derive(Clone, Copy, Debug)]
+struct Attempt {
+    /// Edges across the chamber.
+    cells: f64,
+    /// Largest 1/eps that is resolved; `None` to average all wrinkles.
+    resolved: Option<f64>,
+}
+
+/// The tries for a chamber of 1/eps = `bendability`, whose wrinkles are resolved up to 1/eps = `most_resolved`, in their order.
+fn attempts(bendability: f64, most_resolved: f64, cells: f64) -> Vec<Attempt> {
+    let other_cells = OTHER_MESHES.map(|times| (times * cells).max(LEAST_CELLS));
+    let limits = [most_resolved, MOST_RESOLVED, SURELY_RESOLVED];
+    let mut resolved: Vec<f64> = limits.map(|limit| bendability.min(limit)).to_vec();
+    resolved.dedup();
+    let mut tries: Vec<Attempt> =
+        resolved.into_iter().map(|limit| Attempt { cells, resolved: Some(limit) }).collect();
+    if bendability <= SURELY_RESOLVED {
+        tries.extend(other_cells.map(|cells| Attempt { cells, resolved: Some(bendability) }));
+    } else {
+        tries.push(Attempt { cells, resolved: None });
+        tries.extend(other_cells.map(|cells| Attempt { cells, resolved: None }));
+    }
+    tries
+}
+
+/// Inflates one chamber, on meshes of about the requested fineness.
 ///
 /// # Errors
 /// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry;
 /// the fault gives the place and the reason of the stop.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
-    let mut inflated = on_meshes(case, fineness, watch);
-    for times in OTHER_MESHES {
-        if !matches!(inflated, Err(ShellFault::Stopped { .. })) {
-            break;
-        }
-        let cells = (times * fineness.cells).max(LEAST_CELLS);
-        // The first reason is the one to report.
-        inflated = match on_meshes(case, Fineness { cells, ..fineness }, watch) {
-            Err(ShellFault::Stopped { .. }) => inflated,
-            other => other,
+    let tube = Tube { width: case.chamber.widest(), fabric: case.fabric, pressure: case.pressure };
+    tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
+    // The first reason is the one to report.
+    let mut first_stop = None;
+    for Attempt { cells, resolved } in
+        attempts(tube.bendability(), most_resolved(&case.chamber, tube.width), fineness.cells)
+    {
+        let meshes = Fineness { cells, ..fineness };
+        let inflated = match resolved {
+            Some(resolved) => resolved_up_to(case, tube, resolved, meshes, watch),
+            None => Run::averaged(tube).on_meshes(case, meshes, watch),
         };
+        match inflated {
+            Err(stop @ ShellFault::Stopped { .. }) => first_stop = first_stop.or(Some(stop)),
+            other => return other,
+        }
     }
-    inflated
+    Err(first_stop.unwrap_or(ShellFault::Cancelled))
 }
 
-/// Inflates it on these meshes.
-fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
-    // The chamber is scaled to the width 1 and meshed. On each mesh of the family the equilibrium is measured: numbers
-    // for the mesh error, pulls along the seams, and probed points. The finest mesh gives shape and surface.
-    let width = case.chamber.widest();
-    let tube = Tube { width, fabric: case.fabric, pressure: case.pressure };
-    tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
-    let tube = softened(tube);
-    let chamber = case.chamber.by(width);
-    let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
-    let partial: Vec<PartialPressure> = case.partial.iter().map(|part| part.in_units(width)).collect();
-    let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-        let sealed = SealedNodes::new(&chamber, &partial, meshed);
-        let supports = supports::symmetric(meshed, &sealed, sheet);
-        Wrinkles::of(&tube).prepare(sheet, &tube);
-        load_parts(&sealed, sheet, &tube);
-        supports
-    };
-    let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
-    let mut pulls: Vec<Vec<Station>> = Vec::new();
-    let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
-    let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
-    let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
-    let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
-        let sealed = SealedNodes::new(&chamber, &partial, meshed);
-        let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
-        let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
-        let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
-        let stations =
-            seams::pulls(&chamber, case.band / width, (meshed, &curve_of), solver.assembly.forces());
-        let mut numbers = measured.numbers;
-        numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
-        pulls.push(stations);
-        let positions = probes::positions(&meshed.mesh, &state, &probed_places);
-        probed.push(positions.into_iter().map(|position| position.map(|x| x * width)).collect());
-        let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
-        let surface = Surface::new(&shape, &sealed);
-        last = (measured, shape, surface);
-        Ok(numbers)
-    })?;
-    let inflated = answer(case, &tube, (values, evidence), &pulls, last);
-    Ok(InflatedRegion { probed, ..inflated })
+/// The chamber with its wrinkles resolved up to 1/eps = `resolved`. Beyond, the sheet is computed twice: so stiff that it has this 1/eps, and
+/// without stiffness against compression; from [`FADED`] times this 1/eps on only the second counts.
+fn resolved_up_to(
+    case: &FlatRegion,
+    tube: Tube,
+    resolved: f64,
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<InflatedRegion, ShellFault> {
+    let bendability = tube.bendability();
+    if bendability <= resolved {
+        return lowest(case, tube, fineness, watch);
+    }
+    if bendability >= FADED * resolved {
+        return Run::averaged(tube).on_meshes(case, fineness, watch);
+    }
+    let bending = tube.fabric.bending * bendability / resolved;
+    let stiff = Tube { fabric: Fabric { bending, ..tube.fabric }, ..tube };
+    let folded = lowest(case, stiff, fineness, watch)?;
+    let smooth = Run::averaged(tube).on_meshes(case, fineness, watch)?;
+    let root = (resolved / bendability).sqrt();
+    let end = (1.0 / FADED).sqrt();
+    // What the law leaves open is nothing at its start.
+    let blend = Blend { part: (root - end) / (1.0 - end), open: root * (1.0 - root) };
+    Ok(blended(&smooth, &folded, blend))
+}
+
+/// The resolved shape of the lowest energy, of those from flat and from a higher pressure; with the other one, if it differs.
+fn lowest(
+    case: &FlatRegion,
+    tube: Tube,
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<InflatedRegion, ShellFault> {
+    let from_flat = Run::resolved(tube, Approach::FromFlat).on_meshes(case, fineness, watch);
+    if tube.bendability() < LEAST_FOLDED || matches!(from_flat, Err(ShellFault::Cancelled)) {
+        return from_flat;
+    }
+    let from_above = Run::resolved(tube, Approach::FromAbove).on_meshes(case, fineness, watch);
+    match (from_flat, from_above) {
+        (Ok(first), Ok(second)) => Ok(lower_of(first, second)),
+        (Ok(shape), Err(ShellFault::Stopped { .. })) | (Err(ShellFault::Stopped { .. }), Ok(shape)) => {
+            Ok(shape)
+        }
+        (Ok(_), Err(fault)) | (Err(fault), _) => Err(fault),
+    }
+}
+
+/// One way to compute a chamber.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Run {
+    tube: Tube,
+    wrinkles: Wrinkles,
+    approach: Approach,
+    most_steps: u32,
+}
+
+impl Run {
+    pub(super) fn averaged(tube: Tube) -> Self {
+        let tube = softened(tube);
+        Self { tube, wrinkles: Wrinkles::Averaged, approach: Approach::FromFlat, most_steps: u32::MAX }
+    }
+
+    fn resolved(tube: Tube, approach: Approach) -> Self {
+        // Where nothing else is tried, a sheet may take its time.
+        let is_only = tube.bendability() <= SURELY_RESOLVED && approach == Approach::FromFlat;
+        let most_steps = if is_only { u32::MAX } else { MOST_STEPS };
+        Self { tube, wrinkles: Wrinkles::Resolved, approach, most_steps }
+    }
+
+    /// Inflates `case` on these meshes.
+    pub(super) fn on_meshes(
+        self,
+        case: &FlatRegion,
+        fineness: Fineness,
+        watch: &Watch,
+    ) -> Result<InflatedRegion, ShellFault> {
+        // The chamber is scaled to the width 1 and meshed. On each mesh of the family the equilibrium is measured: numbers
+        // for the mesh error, pulls along the seams, and probed points. The finest mesh gives shape and surface.
+        let Self { tube, wrinkles, approach, most_steps } = self;
+        let width = tube.width;
+        let chamber = case.chamber.by(width);
+        let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
+        let partial: Vec<PartialPressure> = case.partial.iter().map(|part| part.in_units(width)).collect();
+        let hold = |meshed: &Meshed, sheet: &mut Sheet| {
+            let sealed = SealedNodes::new(&chamber, &partial, meshed);
+            let supports = supports::symmetric(meshed, &sealed, sheet);
+            wrinkles.prepare(sheet, &tube);
+            load_parts(&sealed, sheet, &tube);
+            supports
+        };
+        let family =
+            Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], approach, most_steps };
+        let mut pulls: Vec<Vec<Station>> = Vec::new();
+        let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
+        let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
+        let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
+        let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
+            let sealed = SealedNodes::new(&chamber, &partial, meshed);
+            let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
+            let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
+            let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
+            let stations =
+                seams::pulls(&chamber, case.band / width, (meshed, &curve_of), solver.assembly.forces());
+            let mut numbers = measured.numbers;
+            numbers[NUMBERS - 2] = equilibrium.rest.energy.total(equilibrium.pressure);
+            numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
+            pulls.push(stations);
+            let positions = probes::positions(&meshed.mesh, &state, &probed_places);
+            probed.push(positions.into_iter().map(|position| position.map(|x| x * width)).collect());
+            let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
+            let surface = Surface::new(&shape, &sealed);
+            last = (measured, shape, surface);
+            Ok(numbers)
+        })?;
+        let inflated = answer(case, (&tube, wrinkles), (values, evidence), &pulls, last);
+        Ok(InflatedRegion { probed, ..inflated })
+    }
 }
 
 /// Puts its part of the pressure on each triangle. A sheet without pressure buckles at any compression.
@@ -160,9 +284,7 @@ fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
 const LEAST_STRETCHED: f64 = 5e-3;
 
 fn softened(tube: Tube) -> Tube {
-    let least_stretch = tube.pressure * tube.width / LEAST_STRETCHED;
-    if Wrinkles::of(&tube) == Wrinkles::Resolved || tube.fabric.stretch < least_stretch {
-        return tube;
-    }
-    Tube { fabric: Fabric { stretch: least_stretch, ..tube.fabric }, ..tube }
+    let most_stiffness = tube.pressure * tube.width / LEAST_STRETCHED;
+    let stretch = tube.fabric.stretch.min(most_stiffness);
+    Tube { fabric: Fabric { stretch, ..tube.fabric }, ..tube }
 }

@@ -7,13 +7,13 @@ use crate::shell::element::volume::volume;
 use crate::shell::mesh::Meshed;
 use crate::shell::solver::Solver;
 
-/// Volume, height, extents, stretch, tension, both eigenvalues, and the largest pull on a seam.
-pub(super) const NUMBERS: usize = 9;
+/// Volume, height, extents, stretch, tension, both eigenvalues, energy, and the largest pull on a seam.
+pub(super) const NUMBERS: usize = 10;
 
 /// One mesh's numbers, of both sheets, and the flat places of the largest.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Measured {
-    /// The last one is for the pull.
+    /// The last two are for the energy and the pull.
     pub(super) numbers: [f64; NUMBERS],
     pub(super) height_at: [f64; 2],
     pub(super) stretch_at: [f64; 2],
@@ -27,8 +27,8 @@ pub(super) fn measure(
     sealed: &SealedNodes,
 ) -> Measured {
     // Volume, height and extents are those of one sheet and its mirror image. The largest stretch and tension are
-    // looked for triangle by triangle, each with its place. The last number is filled in by the caller, who knows the
-    // seams.
+    // looked for triangle by triangle, each with its place. The last two are filled in by the caller, who knows the
+    // energy and the seams.
     let mesh = &meshed.mesh;
     let volumes = mesh.triangles.iter().map(|corners| volume(corners.map(|corner| state.points[corner])));
     let volume = 2.0 * volumes.sum::<f64>();
@@ -54,7 +54,7 @@ pub(super) fn measure(
     let height = 2.0 * state.points[top][2];
     let (x, y) = (extent(0), extent(1));
     let [symmetric, antisymmetric] = stability::lowest(solver, (state, pressure), sealed);
-    measured.numbers = [volume, height, x, y, stretch, tension, symmetric, antisymmetric, 0.0];
+    measured.numbers = [volume, height, x, y, stretch, tension, symmetric, antisymmetric, 0.0, 0.0];
     measured
 }
 

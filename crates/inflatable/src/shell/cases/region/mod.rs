@@ -1,12 +1,14 @@
 //! A chamber of any outline between two equal sheets.
 //!
 //! One sheet is modelled; the other is its image in the plane z = 0. The outline slides in that plane and turns freely, islands and welds lie
-//! in it, and supports prevent rigid motions. Sheets that buckle in wrinkles which no mesh resolves (1/eps above
-//! 1,000 by the widest place) are computed as sheets that bear no compression: the shape is then the mean of the wrinkles.
+//! in it, and supports prevent rigid motions. Wrinkles are resolved up to 1/eps = 5,000 by the widest place, on the shape of the lower energy
+//! of those found from flat and from a higher pressure. Beyond, numbers lie between those of a stiffer sheet with resolved wrinkles and those
+//! of a sheet that bears no compression, whose shape is the mean of its wrinkles.
 //!
 //! Left out: contact of the shape with itself, the bands outside the outline, and the connections between chambers.
 
 mod answer;
+mod branches;
 mod chambers;
 mod inflate;
 mod measure;

@@ -1,15 +1,17 @@
-//! Ranges of a drawn chamber whose wrinkles are averaged: mesh errors alone do not contain the shape with its folds.
+//! Ranges of a drawn chamber whose shape its mesh errors alone do not bound: folds that are too fine to resolve, or two stable shapes.
 //!
-//! A sheet that bears no compression inflates higher and narrower than one whose folds are stiff, and its folds pull less on the seal. The
-//! bounds contain shells with resolved wrinkles of square pouches of 40 and 100 mm, a disc of 100 mm, bent tubes and V-actuators, at 1/eps
-//! from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps. Pouches have two stable shapes up to some
-//! 10,000; the bounds contain both.
+//! Where wrinkles are blended or a second shape was found, a range contains every shape with its error. Where no resolved shape was found, all
+//! wrinkles are averaged. A sheet that bears no compression inflates higher and narrower than one whose folds are stiff, and its folds pull less
+//! on the seal. The bounds of its ranges contain shells with resolved wrinkles of square pouches of 40 and 100 mm, a disc of 100 mm, bent tubes and
+//! V-actuators, at 1/eps from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps.
 
 use crate::interval::Interval;
-use crate::meshed::{MeshedPlace, MeshedValue};
-use inflatable::shell::cases::MOST_RESOLVED;
+use crate::meshed::{MeshedPlace, MeshedValue, six};
+use inflatable::shell::cases::{InflatedRegion, Value, Wrinkles};
 use serde::Serialize;
 
+/// 1/eps at which the bounds of averaged wrinkles were measured.
+const MEASURED: f64 = 1000.0;
 /// By how much of itself a resolved shell is less high at 1/eps = 1,000: 11.3 mm where the averaged one has 19.8 mm.
 const HEIGHT: f64 = 0.45;
 /// By how much of itself the volume of a resolved shell is less there, and more by [`MORE_VOLUME`] at any 1/eps: a square of film.
@@ -23,7 +25,7 @@ const PULL: f64 = 3.0;
 /// Ranges of a chamber's numbers, mesh errors included, in their units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
-pub struct AveragedRanges {
+pub struct ShapeRanges {
     /// Range of the largest distance between the sheets.
     pub height_mm: Interval,
     /// Ranges of the extents along x and y.
@@ -34,29 +36,62 @@ pub struct AveragedRanges {
     pub seal_pull_N_per_mm: Interval,
 }
 
-impl AveragedRanges {
-    /// The ranges at 1/eps = `bendability`.
-    pub(super) fn new(
+impl ShapeRanges {
+    /// The ranges of `region`; `None` where the mesh errors of its numbers say all.
+    pub(super) fn of_region(region: &InflatedRegion) -> Option<Self> {
+        if region.wrinkles == Wrinkles::Resolved && region.second.is_none() {
+            return None;
+        }
+        let rounded = |value: &Value| MeshedValue::rounded(*value);
+        let height = region.height.scaled(1e3);
+        let (extents, volume) = (region.extents.map(|extent| extent.scaled(1e3)), region.volume.scaled(1e9));
+        let pull = region.seal_pull.scaled(1e-3);
+        if region.wrinkles == Wrinkles::Averaged {
+            let [height, volume, pull] = [height, volume, pull].each_ref().map(rounded);
+            return Some(Self::of_averaged(
+                region.bendability,
+                height,
+                extents.each_ref().map(rounded),
+                volume,
+                pull,
+            ));
+        }
+        let second = region.second.as_deref().unwrap_or(region);
+        Some(Self {
+            height_mm: hull(height, second.height.scaled(1e3)),
+            extents_mm: [0, 1].map(|axis| hull(extents[axis], second.extents[axis].scaled(1e3))),
+            volume_mm3: hull(volume, second.volume.scaled(1e9)),
+            seal_pull_N_per_mm: hull(pull, second.seal_pull.scaled(1e-3)),
+        })
+    }
+
+    /// The ranges of averaged wrinkles at 1/eps = `bendability`.
+    fn of_averaged(
         bendability: f64,
-        height: MeshedPlace,
+        height: MeshedValue,
         extents: [MeshedValue; 2],
         volume: MeshedValue,
-        pull: MeshedPlace,
+        pull: MeshedValue,
     ) -> Self {
-        let part = (MOST_RESOLVED / bendability).sqrt().min(1.0);
-        let height = MeshedValue { value: height.value, mesh_error: height.mesh_error };
+        let part = (MEASURED / bendability).sqrt().min(1.0);
         Self {
             height_mm: stated_range(height, [1.0 - HEIGHT * part, 1.0]),
             extents_mm: extents
                 .map(|extent| stated_range(extent, [1.0 - EXTENT * part, 1.0 + EXTENT * part])),
             volume_mm3: stated_range(volume, [1.0 - VOLUME * part, 1.0 + MORE_VOLUME]),
-            seal_pull_N_per_mm: pull_range(pull),
+            seal_pull_N_per_mm: stated_range(pull, [1.0, PULL]),
         }
     }
 }
 
-/// The range of an averaged `pull` on a seam, N/mm.
-pub(super) fn pull_range(pull: MeshedPlace) -> Interval {
+/// The interval that holds two values with their errors; none is below 0.
+fn hull(first: Value, second: Value) -> Interval {
+    let low = (first.value - first.error).min(second.value - second.error);
+    [six(low.max(0.0)), six((first.value + first.error).max(second.value + second.error))]
+}
+
+/// The range of a `pull` on a seam, N/mm, where wrinkles are averaged.
+pub(super) fn averaged_pull(pull: MeshedPlace) -> Interval {
     stated_range(MeshedValue { value: pull.value, mesh_error: pull.mesh_error }, [1.0, PULL])
 }
 
@@ -67,10 +102,26 @@ fn stated_range(value: MeshedValue, factors: Interval) -> Interval {
 }
 
 /// The warning about the averaged wrinkles of `chambers`, names in words.
-pub(super) fn warning(chambers: &str) -> String {
+pub(super) fn averaged_warning(chambers: &str) -> String {
     format!(
-        "the wrinkles of {chambers} are averaged (1/eps above {MOST_RESOLVED}): the ranges contain shapes with folds; bent tubes coil up to \
-         0.04 of lambda too far; no burst pressure is predicted, because folds may pull {PULL} times as hard on the seal"
+        "no shape with resolved wrinkles was found of {chambers}: they are averaged, and the ranges contain shapes with folds; bent tubes coil \
+         up to 0.04 of lambda too far; no burst pressure is predicted, because folds may pull {PULL} times as hard on the seal"
+    )
+}
+
+/// The warning about the blended wrinkles of `chambers`.
+pub(super) fn blended_warning(chambers: &str) -> String {
+    format!(
+        "the wrinkles of {chambers} are too fine to resolve: numbers lie between those of a stiffer sheet with folds and those of one without \
+         stiffness against compression; the ranges say how far"
+    )
+}
+
+/// The warning about the second shape of `chambers`.
+pub(super) fn second_warning(chambers: &str) -> String {
+    format!(
+        "two stable shapes were found of {chambers}: numbers are those of the lower energy, and the ranges contain both; a pouch that is \
+         inflated further and let down may keep the higher one"
     )
 }
 
@@ -78,10 +129,9 @@ pub(super) fn warning(chambers: &str) -> String {
 mod tests {
     use super::*;
 
-    fn ranges(bendability: f64, value: f64) -> AveragedRanges {
-        let place = MeshedPlace { value, mesh_error: 0.0, at_mm: [0.0; 2] };
+    fn ranges(bendability: f64, value: f64) -> ShapeRanges {
         let exact = MeshedValue { value, mesh_error: 0.0 };
-        AveragedRanges::new(bendability, place, [exact; 2], exact, place)
+        ShapeRanges::of_averaged(bendability, exact, [exact; 2], exact, exact)
     }
 
     fn assert_within([low, high]: Interval, resolved: f64, bendability: f64) {
