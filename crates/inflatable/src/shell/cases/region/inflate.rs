@@ -81,6 +81,8 @@ const LEAST_FOLDED: f64 = 500.0;
 /// 1/eps from which on folds are fine, by that which is resolved: between both the difference of a folded and a smooth shape falls as the root of
 /// 1/eps. Independent shells of square pouches differ by 6 % at 11,000 and 5 % at 29,000 from the smooth height, a disc by 8 % at 29,000.
 const FADED: f64 = 20.0;
+/// What the law leaves open, by its distance from both ends: ranges on coarse meshes then contain those shells.
+const OPEN: f64 = 1.6;
 /// Newton steps on one mesh above which a sheet counts as not resolved; usual are 50 to 150, at most 200.
 const MOST_STEPS: u32 = 300;
 
@@ -172,7 +174,7 @@ fn resolved_up_to(
     let root = (resolved / bendability).sqrt();
     let end = (1.0 / FADED).sqrt();
     // What the law leaves open is nothing at its start.
-    let blend = Blend { part: (root - end) / (1.0 - end), open: root * (1.0 - root) };
+    let blend = Blend { part: (root - end) / (1.0 - end), open: OPEN * root * (1.0 - root) };
     Ok(blended(&smooth, &folded, blend))
 }
 
