@@ -18,7 +18,7 @@ use self::poll::{AXES, UnitPoint, polled, scanned};
 use crate::candidate::{Answer, Candidate};
 use design::{least_pitch, pitch_for};
 use inflatable::mechanics::hinge::ring::RingTable;
-use rayon::prelude::*;
+use inflatable::numerics::mapped;
 use spec::units::{Angle, Length, Pressure};
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -161,8 +161,7 @@ impl<'a> DesignSearch<'a> {
     /// Searches.
     pub fn run(&self) -> SearchResult {
         let point_counts: Vec<u32> = self.bounds.points.clone().collect();
-        let evaluations: Vec<Vec<Evaluation>> =
-            point_counts.into_par_iter().map(|points| self.with_points(points)).collect();
+        let evaluations: Vec<Vec<Evaluation>> = mapped(point_counts, |points| self.with_points(points));
         let computed = evaluations.iter().map(Vec::len).sum();
         let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
         let mut best: Vec<Evaluation> =

@@ -22,5 +22,6 @@ pub use newton::{NewtonFault, NewtonReport, newton};
 pub use range::spans;
 pub use root::{RootFault, bracketed_root, last_holding};
 pub(crate) use threads::Threads;
+pub use threads::mapped;
 pub use vector::dot;
 pub(crate) use vector::single;

@@ -2,6 +2,14 @@
 
 use rayon::prelude::*;
 
+/// Whether there is one thread only. No code of rayon is in a program for WebAssembly then.
+const IS_ALONE: bool = cfg!(target_family = "wasm");
+
+/// What `run` gives for each item, in their order; all threads share the items.
+pub fn mapped<T: Send, U: Send>(items: Vec<T>, run: impl Fn(T) -> U + Send + Sync) -> Vec<U> {
+    if IS_ALONE { items.into_iter().map(run).collect() } else { items.into_par_iter().map(run).collect() }
+}
+
 /// Which threads share a computation's work. Results do not depend on them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Threads {
@@ -15,13 +23,13 @@ impl Threads {
     /// All, but the present one alone where it is itself one of many that work at the same time: while it waited for a part of its work, it would
     /// begin another whole computation, and another in that one.
     pub(crate) fn available() -> Self {
-        if rayon::current_thread_index().is_none() { Self::All } else { Self::One }
+        if IS_ALONE || rayon::current_thread_index().is_some() { Self::One } else { Self::All }
     }
 
     /// Whether `run` holds for all items; after one for which it does not, others may be left out.
     pub(crate) fn all<T: Send>(self, items: Vec<T>, run: impl Fn(T) -> bool + Send + Sync) -> bool {
         match self {
-            Self::All if items.len() > 1 => items.into_par_iter().all(run),
+            Self::All if !IS_ALONE && items.len() > 1 => items.into_par_iter().all(run),
             _ => items.into_iter().all(run),
         }
     }
