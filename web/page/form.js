@@ -25,7 +25,8 @@ export class Form {
     #schema;
     #tell;
     #settle;
-    #product = null;
+    /** The product and its processes, of which the form is made. */
+    #layout = "";
     #fields = new Map();
     #groups = [];
 
@@ -36,10 +37,16 @@ export class Form {
         this.#settle = settle;
     }
 
+    /** The keys of a section, each with its property; a process has those of all processes. */
+    #keys(section) {
+        const { properties } = this.#schema;
+        return (section.startsWith("process.") ? properties.process.additionalProperties : properties[section])?.properties ?? {};
+    }
+
     /** The field of a key; undefined if it has none. */
     #make(path) {
-        const [section, key] = path.includes(".") ? path.split(".") : ["", path];
-        const property = section ? this.#schema.properties[section]?.properties?.[key] : this.#schema.properties[key];
+        const end = path.lastIndexOf("."), key = path.slice(end + 1);
+        const property = end > 0 ? this.#keys(path.slice(0, end))[key] : this.#schema.properties[key];
         // A list whose order or number counts is text.
         const isText = property?.type === "object" || (property?.type === "array" && !(property.items?.enum && property.uniqueItems));
         if (!property || isText) return undefined;
@@ -49,19 +56,19 @@ export class Form {
         return field;
     }
 
-    /** Makes the form of a product: the first fields, then the groups. */
-    #build(product) {
-        this.#product = product;
+    /** Makes the form of a product: the first fields, then the groups; each of the `processes` has one behind [seal]. */
+    #build(product, processes) {
         this.#fields.clear();
         const { first, groups, without } = PRODUCTS[product];
         const top = ["name", ...first].map((path) => this.#make(path)).filter(Boolean);
         const all = [...groups, ...Object.keys(this.#schema.properties).filter((section) => !PLACED.includes(section))];
-        this.#groups = all.filter((section) => this.#schema.properties[section]?.properties).map((section) => {
-            const keys = Object.keys(this.#schema.properties[section].properties).map((key) => `${section}.${key}`);
+        const sections = all.flatMap((section) => (section === "seal" ? [section, ...processes] : [section]));
+        this.#groups = sections.filter((section) => Object.keys(this.#keys(section)).length > 0).map((section) => {
+            const keys = Object.keys(this.#keys(section)).map((key) => `${section}.${key}`);
             const fields = keys.filter((path) => !first.includes(path) && !without.includes(path)).map((path) => [path, this.#make(path)]).filter(([, field]) => field);
             const count = element("small"), given = element("div"), rest = element("div"), more = element("summary");
             const folded = element("details", {}, more, rest);
-            const box = element("details", {}, element("summary", {}, TITLES[section] ?? section.charAt(0).toUpperCase() + section.slice(1), count), given, folded);
+            const box = element("details", {}, element("summary", {}, TITLES[section] ?? (section.charAt(0).toUpperCase() + section.slice(1)).replace(".", " "), count), given, folded);
             return { section, fields: new Map(fields), box, count, given, rest, more, folded };
         });
         byId("form").replaceChildren(...top.map(({ box }) => box), ...this.#groups.map(({ box }) => box));
@@ -70,8 +77,13 @@ export class Form {
     /** Shows the values of the spec: settings [{ section, key, value, given }], for a star or for a drawing. */
     show(settings, isDrawn) {
         const product = isDrawn ? "drawing" : "star";
-        if (product !== this.#product) this.#build(product);
+        const processes = [...new Set(settings.map(({ section }) => section).filter((section) => section.startsWith("process.")))];
+        const layout = [product, ...processes].join();
+        if (layout !== this.#layout) this.#build(product, processes);
+        this.#layout = layout;
         const given = new Set();
+        // A process lists the keys that it has: all others are those of [seal].
+        for (const [path, field] of this.#fields) if (path.startsWith("process.")) field.show({ value: "", given: false });
         for (const setting of settings) {
             const path = setting.section ? `${setting.section}.${setting.key}` : setting.key, field = this.#fields.get(path);
             if (!field) continue;

@@ -65,12 +65,14 @@ async function change(key, value, kind) {
 /** The text with another value at a key; without a value its default. */
 const edit = (text, key, value) => program.ask({ ask: "edit", spec: text, key, value: value ?? undefined }, { lane: "edit", isPatient: true });
 
-/** The spec with another role of a layer of its drawing. */
-async function setRole(layer, role) {
-    const { text } = desk.state, answer = await safely(() => program.ask({ ask: "role", spec: text, layer, role }, { lane: "edit" }));
+/** Changes the spec as the program answers a `question` about its drawing: another role or process of a layer. */
+async function changeDrawing(question) {
+    const { text } = desk.state, answer = await safely(() => program.ask({ ...question, spec: text }, { lane: "edit" }));
     if (answer?.spec !== undefined && desk.state.text === text) desk.change({ text: answer.spec });
-    else if (answer?.faults) say(`The role is not set: ${answer.faults[0]?.found}. Correct the spec first.`, true);
+    else if (answer?.faults) say(`The ${question.ask} is not set: ${answer.faults[0]?.found}. Correct the spec first.`, true);
 }
+const setRole = (layer, role) => changeDrawing({ ask: "role", layer, role });
+const setProcess = (name, process) => changeDrawing({ ask: "process", name, process });
 
 /** Takes another spec, in place of the present one. */
 function take(spec, options) {
@@ -198,7 +200,7 @@ async function start() {
         write: (text) => desk.change({ text }),
         show: ({ place }) => (beside("text"), editor.go(place)),
     });
-    const stage = new Stage({ setRole, wantReport: () => maker.report() });
+    const stage = new Stage({ setRole, setProcess, wantReport: () => maker.report() });
     maker = new Maker({ program, desk, safely, shown: { editor, form, result: new Result(), fault, stage } });
     desk.listen(() => maker.refresh());
     listen();

@@ -66,7 +66,7 @@ export function drawingPicture({ box, figures }, { faults, measures }, { hover, 
     const values = new Map(measures.map((measure) => [measure.measure, measured(measure)]));
     const area = ({ role }) => (role === "air" ? 0 : role === "cut" ? 1 : 2);
     const content = [...figures].sort((a, b) => area(a) - area(b)).map((figure) => {
-        const words = [`${figure.id}, layer ${figure.layer}: ${figure.role ?? "without a role"}`, ...(values.get(figure.id) ?? []).map(({ inflated, flat }) => `${inflated} (flat ${flat})`)].join(", ");
+        const words = [`${figure.id}, layer ${figure.layer}: ${figure.role ?? "without a role"}`, ...(figure.process ? [`process ${figure.process}`] : []), ...(values.get(figure.id) ?? []).map(({ inflated, flat }) => `${inflated} (flat ${flat})`)].join(", ");
         // A point is a line without a length: its round ends are seen.
         const isPoint = !figure.path.includes("L"), line = isPoint ? `${figure.path}l0 0` : figure.path;
         const feel = shape("path", { class: "feel", d: line, tabindex: 0, role: "button", "aria-label": words });

@@ -1,4 +1,4 @@
-// The menu over a drawing: the role of the layer of a curve.
+// The menu over a drawing: the role of the layer of a curve, and the process by which its seams are made.
 import { byId, element } from "./dom.js";
 
 const ROLES = [["air", "edge of the air"], ["seam", "weld or wall: the middle of a band"], ["port", "a hose goes in here"], ["cut", "outline that is cut"], ["hole", "opening that is cut out"], ["valve", "hole in one sheet, for a valve in the face"], ["measure", "measured after inflation"], ["ignore", "left out"]];
@@ -9,8 +9,16 @@ export function closeRoles() {
     for (const line of document.querySelectorAll("#canvas .feel.on")) line.classList.remove("on");
 }
 
-/** Asks for the role of `figure`, whose line is `line`; `choose(layer, role)` receives it. A role may be for its layer, or for the curve alone. */
-export function askRole(figure, line, choose) {
+/** The choice of a process for a figure that is sealed, among `processes` and one more; `assign(process)` receives it, "" for that of [seal]. */
+function processChoice({ process }, processes, assign) {
+    const more = ["weak", "strong", `process-${processes.length + 1}`].find((name) => !processes.includes(name));
+    const options = [["", "as [seal] says"], ...processes.map((name) => [name, name]), [more, `new: ${more}`]].map(([value, words]) => element("option", { value, selected: value === (process ?? "") }, words));
+    return element("label", { className: "process" }, "Process ", element("select", { id: "role-process", onchange: ({ target }) => (closeRoles(), assign(target.value)) }, ...options));
+}
+
+/** Asks for the role of `figure`, whose line is `line`, and for its process among `processes`; `choose(layer, role)` and
+ * `assign(layer, process)` receive them. Both may be for its layer, or for the curve alone. */
+export function askRole(figure, line, { processes, choose, assign }) {
     closeRoles();
     line.classList.add("on");
     const names = [...new Set([figure.layer, ...figure.layers])].filter(Boolean);
@@ -20,7 +28,8 @@ export function askRole(figure, line, choose) {
         return element("label", { className: "check" }, input, element("span", {}, element("b", {}, role), ` ${meaning}`));
     };
     const close = element("button", { type: "button", className: "plain", onclick: closeRoles }, "close");
-    byId("roles").replaceChildren(element("h2", {}, figure.id, close), which, ...ROLES.map(choice));
+    const isSealed = figure.role === "seam" || figure.role === "air";
+    byId("roles").replaceChildren(element("h2", {}, figure.id, close), which, ...ROLES.map(choice), ...(isSealed ? [processChoice(figure, processes, (process) => assign(which.value, process))] : []));
     byId("roles").hidden = false;
     byId("roles").onkeydown = ({ key }) => key === "Escape" && (closeRoles(), line.focus());
     (byId("roles").querySelector("input:checked") ?? which).focus();

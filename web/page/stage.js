@@ -28,12 +28,15 @@ export class Stage {
     #isFlat = false;
     /** The drawing with its faults as it is shown, as text; empty in other views. */
     #shownDrawing = "";
+    #processes = [];
     #setRole;
+    #setProcess;
     #wantReport;
 
-    /** `setRole(layer, role)` changes the spec; `wantReport()` is called when a view needs the report. */
-    constructor({ setRole, wantReport }) {
+    /** `setRole(layer, role)` and `setProcess(layer, process)` change the spec; `wantReport()` is called when a view needs the report. */
+    constructor({ setRole, setProcess, wantReport }) {
         this.#setRole = setRole;
+        this.#setProcess = setProcess;
         this.#wantReport = wantReport;
         listenTabs(document.querySelector("#stage > .tabs"), ({ id }) => this.choose(id.slice("view-".length)));
         byId("sheets").addEventListener("change", () => this.#draw());
@@ -56,11 +59,13 @@ export class Stage {
     }
 
     /** Shows an answer: its sheets, its drawing and its faults. */
-    show({ sheets, drawing, faults = [], overview }) {
+    show({ sheets, drawing, faults = [], overview, settings }) {
         const { value } = byId("sheets");
         this.#isRefused = !overview;
         if (sheets) this.#sheets = sheets;
         if (sheets || drawing) this.#drawing = drawing ?? null;
+        const processes = (settings ?? []).map(({ section }) => section).filter((section) => section.startsWith("process."));
+        if (settings) this.#processes = [...new Set(processes.map((section) => section.slice("process.".length)))];
         if (overview) this.#isFlat = overview.stars === 0 && overview.prediction?.model === "none";
         const measures = overview?.prediction?.measures ?? [];
         if (sheets || measures.length > 0) this.#measures = measures;
@@ -106,7 +111,7 @@ export class Stage {
         // A drawing that is shown as it is does not fade with the numbers.
         byId("picture").classList.toggle("fresh", view === "drawing");
         if (view === "drawing") {
-            const choose = (figure, line) => askRole(figure, line, this.#setRole);
+            const choose = (figure, line) => askRole(figure, line, { processes: this.#processes, choose: this.#setRole, assign: this.#setProcess });
             this.#canvas.show("drawing", drawingPicture(this.#drawing, { faults: this.#faults, measures: this.#measures }, { hover, choose }));
         } else if (sheet) this.#canvas.show(`sheet ${byId("sheets").value}`, sheetPicture(sheet, isDrawn, hover));
         if (!document.documentElement.dataset.look) performance.mark("preview");

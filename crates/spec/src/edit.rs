@@ -166,6 +166,41 @@ pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<Str
     Ok(tree.to_string())
 }
 
+/// The text of `source` with `value`, TOML of its own, at `key` of the process `name`, which is added if it is new; `None` takes the key
+/// away. The section of the process stays, because seams may name it. Neither text need be a valid spec.
+///
+/// # Errors
+/// If `source` or the value is not TOML, or the section of the process cannot be edited.
+pub fn with_process(
+    source: &Source,
+    name: &str,
+    key: KeyPath,
+    value: Option<&str>,
+) -> Result<String, Faults> {
+    let mut tree = document(source)?;
+    let value: Option<Value> =
+        value.map(str::parse).transpose().map_err(|error: TomlError| syntax(source, &error))?;
+    let unnamed_section = || {
+        let mut table = toml_edit::Table::new();
+        table.set_implicit(true);
+        Item::Table(table)
+    };
+    let processes = tree.entry(key.section()).or_insert_with(unnamed_section).as_table_like_mut();
+    let process = processes.map(|table| table.entry(name).or_insert_with(toml_edit::table));
+    let Some(process) = process else {
+        return Err(cannot_edit(source, 0..0, &format!("`{key}`"), "must take a new value"));
+    };
+    let inline = process.is_inline_table();
+    match (process.as_table_like_mut(), value) {
+        (Some(section), Some(value)) => set(section, inline, key.key(), value),
+        (Some(section), None) => drop(section.remove(key.key())),
+        (None, _) => {
+            return Err(cannot_edit(source, 0..0, &format!("`process.{name}`"), "must take a new value"));
+        }
+    }
+    Ok(tree.to_string())
+}
+
 /// The text of `source` with other comments behind values. `renewed` takes section, key and comment, "" for none, and returns the new
 /// comment. Comments on lines of their own, and those within inline tables, stay.
 ///
@@ -237,6 +272,28 @@ mod tests {
         let keys = [(key::mask::KIND, None), (key::load::PRESSURE, None)];
         let rest = super::edited(&Source::new("x", text), &keys).expect("TOML");
         assert_eq!(rest, "name = \"a\"\n[load]\nmass = \"1 kg\"\n");
+    }
+
+    #[test]
+    fn processes_are_changed_and_added_in_their_sections() {
+        let process = |text: &str, name: &str, key: KeyPath, value: Option<&str>| {
+            with_process(&Source::new("x", text), name, key, value).expect("TOML")
+        };
+        let (speed, passes) = (key::process::SPEED, key::process::PASSES);
+        let added = process(TEXT, "weak", speed, Some("\"0.2 mm/s\""));
+        assert!(
+            added.starts_with(TEXT) && added.ends_with("[process.weak]\nspeed = \"0.2 mm/s\"\n"),
+            "{added}"
+        );
+        let both = process(&added, "weak", passes, Some("2"));
+        assert!(both.ends_with("speed = \"0.2 mm/s\"\npasses = 2\n"), "{both}");
+        assert_eq!(process(&both, "weak", passes, None), added);
+        assert!(process(&added, "weak", speed, None).ends_with("[process.weak]\n"), "seams may name it");
+        let inline = process("process = { weak = { passes = 1 } }\n", "weak", passes, Some("3"));
+        assert_eq!(inline, "process = { weak = { passes = 3 } }\n");
+        assert!(with_process(&Source::new("x", "process = 1\n"), "weak", passes, Some("3")).is_err());
+        assert!(with_process(&Source::new("x", "process.weak = 1\n"), "weak", passes, Some("3")).is_err());
+        assert!(with_process(&Source::new("x", TEXT), "weak", passes, Some("= 3")).is_err());
     }
 
     #[test]

@@ -2,23 +2,66 @@
 
 use serde_json::{Value, json};
 use stargrip_cam::spec;
-use stargrip_cam::spec::{LayerRole, edit as text_edit, key};
+use stargrip_cam::spec::{LayerRole, Source, edit as text_edit, key};
 
 use crate::commands::faults::refused;
 use crate::commands::spec::source;
 use crate::question::{text, wrong};
 
-/// The spec with `value`, a TOML value, at `key`. The result is not validated here: a slider may pass an invalid value.
+/// The spec with `value`, a TOML value, at `key`, "star.points" or "process.weak.speed". The result is not validated here: a slider may pass an invalid value.
 ///
 /// # Errors
 /// If there is no such key, or the text cannot be changed.
 pub(super) fn edit(question: &Value) -> Result<Value, Value> {
     let spec_source = source(question)?;
     let name = text(question, "key").unwrap_or_default();
-    let key = key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")))?;
-    let spec = text_edit::edited(&spec_source, &[(key, text(question, "value"))])
-        .map_err(|faults| refused(&faults))?;
-    Ok(json!({ "spec": spec }))
+    let key_of = |name: &str| key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")));
+    let value = text(question, "value");
+    let process = name.strip_prefix("process.").and_then(|rest| rest.rsplit_once('.'));
+    let spec = match process {
+        Some((process, key)) => {
+            text_edit::with_process(&spec_source, process, key_of(&format!("process.{key}"))?, value)
+        }
+        None => text_edit::edited(&spec_source, &[(key_of(name)?, value)]),
+    };
+    Ok(json!({ "spec": spec.map_err(|faults| refused(&faults))? }))
+}
+
+/// The spec with the process `process` for the seams that `name` names: an element, a layer or a role of its drawing. `""` is that of
+/// `[seal]`. A process that the spec does not have gets a section with the speed of `[seal]`.
+///
+/// # Errors
+/// If the spec is refused, or cannot be edited.
+pub(super) fn process(question: &Value) -> Result<Value, Value> {
+    let spec_source = source(question)?;
+    let (name, process) =
+        (text(question, "name").unwrap_or_default(), text(question, "process").unwrap_or_default());
+    let reading = spec::read(&spec_source).map_err(|faults| refused(&faults))?;
+    let speed = format!("\"{} mm/s\"", reading.spec.seal.speed.0);
+    let drawing = reading.spec.drawing.ok_or_else(|| wrong("the spec has no drawing"))?;
+    let mut chosen = drawing.processes;
+    chosen.retain(|(seam, _)| seam != name);
+    if !process.is_empty() {
+        chosen.push((name.to_owned(), process.to_owned()));
+    }
+    let mut lists: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (seam, process) in &chosen {
+        match lists.iter_mut().find(|(listed, _)| listed == process) {
+            Some((_, seams)) => seams.push(seam),
+            None => lists.push((process, vec![seam])),
+        }
+    }
+    let lists: Vec<String> =
+        lists.iter().map(|(process, seams)| format!("{} = {}", json!(process), json!(seams))).collect();
+    let value = (!lists.is_empty()).then(|| format!("{{ {} }}", lists.join(", ")));
+    let edited = text_edit::edited(&spec_source, &[(key::drawing::PROCESS, value.as_deref())]);
+    let mut edited = edited.map_err(|faults| refused(&faults))?;
+    if !process.is_empty() && !reading.spec.processes.iter().any(|own| own.name == process) {
+        let with_lists = Source::new("spec.toml", edited);
+        edited = text_edit::with_process(&with_lists, process, key::process::SPEED, Some(&speed))
+            .map_err(|faults| refused(&faults))?;
+    }
+    Ok(json!({ "spec": edited }))
 }
 
 /// The spec with the role `role` for the `layer` of its drawing; the order of the other layers stays.
@@ -69,6 +112,32 @@ mod tests {
             assert!(text.contains(lists) && text.contains("# mine"), "{text}");
         }
         assert!(with_role("a", "glue").is_err());
+    }
+
+    #[test]
+    fn seams_change_their_process_and_a_new_one_gets_a_section() {
+        let spec = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"], port = [\"b\"] }\n";
+        let process_of = |spec: &str, name: &str, process: &str| {
+            let answer =
+                super::process(&json!({ "spec": spec, "name": name, "process": process })).expect(name);
+            answer["spec"].as_str().unwrap_or_default().to_owned()
+        };
+        let weak = process_of(spec, "tear", "weak");
+        assert!(weak.contains(r#"process = { "weak" = ["tear"] }"#), "{weak}");
+        assert!(weak.ends_with("[process.weak]\nspeed = \"0.1 mm/s\"\n"), "{weak}");
+        let two = process_of(&weak, "seam", "weak");
+        assert!(two.contains(r#"process = { "weak" = ["tear","seam"] }"#), "{two}");
+        let strong = process_of(&two, "tear", "strong");
+        assert!(strong.contains(r#"process = { "weak" = ["seam"], "strong" = ["tear"] }"#), "{strong}");
+        let none = process_of(&weak, "tear", "");
+        assert!(!none.contains("process = {") && none.contains("[process.weak]"), "{none}");
+        let slower = super::edit(&json!({ "spec": weak, "key": "process.weak.passes", "value": "2" }));
+        assert!(
+            slower.expect("a key of processes")["spec"]
+                .as_str()
+                .unwrap_or_default()
+                .ends_with("passes = 2\n")
+        );
     }
 
     fn role_of(spec: &str, layer: &str, role: &str) -> Result<String, Value> {

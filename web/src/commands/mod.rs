@@ -55,6 +55,7 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
         "role" => edit::role(&question)?,
+        "process" => edit::process(&question)?,
         _ => return Err(wrong(format!("unknown question {word:?}"))),
     };
     Ok(Message::of(answer))
