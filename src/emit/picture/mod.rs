@@ -1,6 +1,7 @@
 //! A **picture**: a list of marks on a page, in the frame of the drawing. The writers of SVG and PNG share it.
 
 mod png;
+mod png_file;
 mod svg;
 mod typeface;
 

@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use png::{ColorType, Compression, Encoder, PixelDimensions, Unit};
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapMut, Stroke, StrokeDash, Transform,
 };
 
+use crate::emit::picture::png_file::png_file;
 use crate::emit::picture::typeface::trace;
 use crate::emit::picture::{Colour, Mark, Pen, Picture, Text};
 use geom::{Arc, Path, Point, Segment};
@@ -121,16 +121,7 @@ fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
     // All pixels are opaque, so premultiplied colours are the plain ones.
     let colors = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
     let colors: Vec<u8> = colors.collect();
-    let mut bytes = Vec::new();
-    let mut encoder = Encoder::new(&mut bytes, pixels.width(), pixels.height());
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_compression(Compression::Fast);
-    let a_metre = count(1000.0 * scale);
-    encoder.set_pixel_dims(Some(PixelDimensions { xppu: a_metre, yppu: a_metre, unit: Unit::Meter }));
-    let mut writer = encoder.write_header().ok()?;
-    writer.write_image_data(&colors).ok()?;
-    writer.finish().ok()?;
-    Some(bytes)
+    png_file([pixels.width(), pixels.height()], &colors, count(1000.0 * scale))
 }
 
 fn paint(Colour(red, green, blue): Colour) -> Paint<'static> {

@@ -1,0 +1,162 @@
+//! The file format PNG (W3C, third edition): pixels of three colours of 8 bits, each row by the filter that leaves the smallest numbers.
+//!
+//! The writer has no table for its checksums beyond 16 numbers: those of crates take 16 kB, which no compression makes smaller, of the
+//! program of a web page.
+
+use fdeflate::Compressor;
+
+/// Bytes of a pixel.
+const PIXEL: usize = 3;
+const SIGNATURE: [u8; 8] = [137, 80, 78, 71, 13, 10, 26, 10];
+/// Remainders of four bits by the polynomial of CRC-32, reflected.
+const REMAINDERS: [u32; 16] = remainders();
+
+/// What the filter of a row subtracts from a byte.
+#[derive(Clone, Copy)]
+enum Filter {
+    Sub = 1,
+    Up,
+    Average,
+    Paeth,
+}
+
+/// The file of `pixels`, rows of `width` by `height` from the top, for `density` pixels a metre; `None` if there are none.
+pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -> Option<Vec<u8>> {
+    let row_length = usize::try_from(width).ok()? * PIXEL;
+    if row_length == 0 || pixels.len() != row_length * usize::try_from(height).ok()? {
+        return None;
+    }
+    let mut packer = Compressor::new(Vec::new()).ok()?;
+    let mut above = vec![0; row_length];
+    for row in pixels.chunks_exact(row_length) {
+        packer.write_data(&filtered(row, &above)).ok()?;
+        above.copy_from_slice(row);
+    }
+    let mut file = SIGNATURE.to_vec();
+    // 8 bits a colour, three colours, no interlacing.
+    let header = [&width.to_be_bytes()[..], &height.to_be_bytes(), &[8, 2, 0, 0, 0]].concat();
+    let metres = 1;
+    let scale = [&density.to_be_bytes()[..], &density.to_be_bytes(), &[metres]].concat();
+    add_chunk(&mut file, *b"IHDR", &header)?;
+    add_chunk(&mut file, *b"pHYs", &scale)?;
+    add_chunk(&mut file, *b"IDAT", &packer.finish().ok()?)?;
+    add_chunk(&mut file, *b"IEND", &[])?;
+    Some(file)
+}
+
+/// `row` behind the number of its filter. The filter is the one whose differences have the least sum; of equal ones the last, or the first
+/// without differences.
+fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
+    let mut smallest: Option<(u64, Vec<u8>)> = None;
+    for filter in [Filter::Up, Filter::Sub, Filter::Average, Filter::Paeth] {
+        let differences = differences(row, above, filter);
+        let sum = differences[1..].iter().map(|byte| u64::from(byte.cast_signed().unsigned_abs())).sum();
+        if smallest.as_ref().is_none_or(|(least, _)| sum <= *least) {
+            smallest = Some((sum, differences));
+        }
+        if sum == 0 {
+            break;
+        }
+    }
+    smallest.map(|(_, differences)| differences).unwrap_or_default()
+}
+
+/// The number of `filter`, then what it leaves of `row`, which has the row `above` it.
+fn differences(row: &[u8], above: &[u8], filter: Filter) -> Vec<u8> {
+    let left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
+    let bytes = row.iter().enumerate().map(|(k, &byte)| {
+        let expected = match filter {
+            Filter::Sub => left(row, k),
+            Filter::Up => above[k],
+            Filter::Average => left(row, k).midpoint(above[k]),
+            Filter::Paeth => paeth(left(row, k), above[k], left(above, k)),
+        };
+        byte.wrapping_sub(expected)
+    });
+    std::iter::once(filter as u8).chain(bytes).collect()
+}
+
+/// Of the bytes to the left, above, and above to the left the nearest to `left + above - corner`, by PNG's predictor of Paeth.
+fn paeth(left: u8, above: u8, corner: u8) -> u8 {
+    let to_left = above.abs_diff(corner);
+    let to_above = left.abs_diff(corner);
+    let to_corner = (i16::from(left) + i16::from(above) - 2 * i16::from(corner)).unsigned_abs();
+    if to_left <= to_above && u16::from(to_left) <= to_corner {
+        left
+    } else if u16::from(to_above) <= to_corner {
+        above
+    } else {
+        corner
+    }
+}
+
+/// Adds a chunk with its length and checksum; `None` if it is too long for the format.
+fn add_chunk(file: &mut Vec<u8>, name: [u8; 4], content: &[u8]) -> Option<()> {
+    file.extend(u32::try_from(content.len()).ok()?.to_be_bytes());
+    let start = file.len();
+    file.extend(name);
+    file.extend(content);
+    let checksum = crc32(&file[start..]);
+    file.extend(checksum.to_be_bytes());
+    Some(())
+}
+
+/// CRC-32 of `bytes`, four bits at a time.
+fn crc32(bytes: &[u8]) -> u32 {
+    let next = |crc: u32| REMAINDERS[(crc & 15) as usize] ^ (crc >> 4);
+    !bytes.iter().fold(u32::MAX, |crc, byte| next(next(crc ^ u32::from(*byte))))
+}
+
+const fn remainders() -> [u32; 16] {
+    let mut table = [0; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut crc, mut bit) = (bits, 0);
+        while bit < 4 {
+            crc = if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 };
+            bit += 1;
+        }
+        table[bits as usize] = crc;
+        bits += 1;
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use png::{ColorType, Compression, Encoder, PixelDimensions, Unit};
+    use proptest::prelude::*;
+
+    /// The file as the crate `png` writes it.
+    fn reference([width, height]: [u32; 2], pixels: &[u8], density: u32) -> Vec<u8> {
+        let mut file = Vec::new();
+        let mut encoder = Encoder::new(&mut file, width, height);
+        encoder.set_color(ColorType::Rgb);
+        encoder.set_compression(Compression::Fast);
+        encoder.set_pixel_dims(Some(PixelDimensions { xppu: density, yppu: density, unit: Unit::Meter }));
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(pixels).expect("pixels");
+        writer.finish().expect("an end");
+        file
+    }
+
+    #[test]
+    fn no_pixels_are_no_file() {
+        assert_eq!(png_file([0, 3], &[], 1), None);
+        assert_eq!(png_file([2, 1], &[0; 5], 1), None);
+    }
+
+    proptest! {
+        /// Areas of few colours with smooth edges, as pictures have them.
+        #[test]
+        fn files_are_those_of_the_crate(
+            width in 12_u32..80, height in 1_u32..40, steps in 1_u32..60, colours in 1_u32..6, density in any::<u32>(),
+        ) {
+            let value = |x: u32, y: u32, c: u32| ((x * x + steps * y) / 97 % colours * 51 + c * (x / steps % 3)) as u8;
+            let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+            let pixels: Vec<u8> = places.flat_map(|(x, y)| [0, 1, 2].map(|c| value(x, y, c))).collect();
+            prop_assert_eq!(png_file([width, height], &pixels, density), Some(reference([width, height], &pixels, density)));
+        }
+    }
+}
