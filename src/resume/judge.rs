@@ -5,15 +5,14 @@ use geom::Bounds;
 use program::plan::Pace;
 use proof::verify::{Finding, FindingCode, judge_iron};
 use spec::units::Speed;
-use spec::{Heating, Limits, limits_set_by};
+use spec::{Limits, limits_set_by};
 
 /// The first move of a program that breaks the rules of the old one, or leaves its `reach`.
 pub(super) fn first_fault(record: &Record, text: &str, reach: &Bounds) -> Option<Finding> {
     // An arc of a file passes its own ends within the tolerance.
     let reach = &reach.outset(record.path.0);
-    let hotend = record.controller.heating == Heating::Hotend;
     let lines = text.split_inclusive('\n');
-    judge_iron(&record.rules(text), reach, hotend, lines, record.dialect()).into_iter().next()
+    judge_iron(&record.rules(text), reach, &record.controller, lines).into_iter().next()
 }
 
 /// Tolerance of rounded numbers in a file, as a fraction.

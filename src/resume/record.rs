@@ -8,7 +8,7 @@ use proof::verify::gcode::Comment;
 use proof::verify::{ContactRule, IronRules};
 use spec::units::{Acceleration, Duration, Length, Speed, Temperature};
 use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
-use spec::{Motion, Process, Seal, SealPause, StepRate, TOXIC};
+use spec::{Motion, Process, Seal, SealPause, SheetPlace, StepRate, TOXIC};
 use std::collections::HashMap;
 
 /// The statements of a file's header.
@@ -222,10 +222,8 @@ impl Header {
     }
 
     fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
-        let heating = match self.word("machine", "heating") {
-            Some("hotend") => Heating::Hotend,
-            _ => Heating::Operator,
-        };
+        let heating = self.word("machine", "heating").map(|name| name.replacen('-', " ", 1));
+        let heating = heating.and_then(|name| Heating::read(&name)).unwrap_or(Heating::Operator);
         let unit = match self.word("path", "dwell") {
             Some("ms") => DwellUnit::Milliseconds,
             _ => DwellUnit::Seconds,
@@ -245,7 +243,19 @@ impl Header {
             dwell: Dwells { unit, step: Duration(step) },
             heating,
             thumbnails: false,
+            place: self.place()?,
         })
+    }
+
+    /// The place of the sheet; programs in the sheet's frame state none.
+    fn place(&self) -> Result<SheetPlace, ResumeFault> {
+        if self.all("place").next().is_none() {
+            return Ok(SheetPlace::default());
+        }
+        let side = |word| self.length("place", word);
+        let place = SheetPlace { x: side("x_mm")?, y: side("y_mm")?, surface: side("surface_mm")? };
+        let is_reachable = place.shift().iter().all(|side| (0.0..=1e4).contains(side));
+        if is_reachable { Ok(place) } else { Err(ResumeFault::NotOurs("place")) }
     }
 
     fn process(&self) -> Result<Process, ResumeFault> {

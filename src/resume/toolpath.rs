@@ -112,8 +112,8 @@ impl<'a> Toolpath<'a> {
                     _ => {}
                 }
             }
-            // The last line of all has no text.
-            if !is_comment && !line.text.is_empty() {
+            // The last line of all has no text. A line that sets a heater by its name has no effect yet: the next one waits for it.
+            if !is_comment && !line.text.is_empty() && !line.events.is_empty() {
                 heatings.extend(heat.take().map(|start| start..line.number));
             }
         });

@@ -39,6 +39,7 @@ mod render;
 mod schema;
 mod seal;
 mod section;
+mod service;
 mod shape;
 mod source;
 mod stars;
@@ -63,7 +64,7 @@ pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
     Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
-    Limits, Machine, Process, Script, SealingTool,
+    Limits, Machine, Process, Script, SealingTool, SheetPlace,
 };
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;
@@ -84,6 +85,7 @@ pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess, check_process_name};
+pub use service::{Service, WARMEST, WarmPart, Warming};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub use unknown::nearest;

@@ -1,6 +1,7 @@
 //! The machine: the settings of one controller, from a profile in `crates/spec/templates/machines/` or the user's own.
 
 use crate::motion::Motion;
+use crate::service::Service;
 use crate::units::{Acceleration, Duration, Length, Speed};
 
 /// A complete and valid machine profile.
@@ -35,6 +36,7 @@ impl Machine {
             dwell: Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) },
             heating: Heating::Operator,
             thumbnails: false,
+            place: SheetPlace::default(),
         };
         let heights = Heights { contact: Length(0.0), travel: Length(0.0), park: Length(0.0) };
         let process = Process {
@@ -67,7 +69,7 @@ pub enum SealingTool {
 }
 
 /// The language and abilities of the controller: enough to write a program for it, and to read one.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Controller {
     /// The words that it understands.
     pub dialect: Dialect,
@@ -83,6 +85,31 @@ pub struct Controller {
     pub heating: Heating,
     /// Whether programs carry pictures for hosts that show them.
     pub thumbnails: bool,
+    /// The place of the sheet in the controller's coordinates.
+    pub place: SheetPlace,
+}
+
+/// The place of the sheet in the controller's coordinates: 0 where the operator sets them by hand.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SheetPlace {
+    /// X of the sheet's lower left corner.
+    pub x: Length,
+    /// Y of the sheet's lower left corner.
+    pub y: Length,
+    /// Z of the release layer.
+    pub surface: Length,
+}
+
+impl SheetPlace {
+    /// X, Y and Z that are added to every position of the sheet's frame, mm.
+    pub const fn shift(self) -> [f64; 3] {
+        [self.x.0, self.y.0, self.surface.0]
+    }
+
+    /// Whether coordinates are those of the sheet's frame.
+    pub fn is_origin(self) -> bool {
+        self == Self::default()
+    }
 }
 
 /// The process of sealing: the way in which the iron is led over the fabric.
@@ -115,7 +142,7 @@ pub(crate) const fn lowest_contact(spring_loaded: bool) -> f64 {
 /// The work area and the clamps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bench {
-    /// Reachable area from the origin, X by Y; `None` if unknown: the sheet is then the only limit.
+    /// Reachable area from the sheet's lower left corner, X by Y; `None` if unknown: the sheet is then the only limit.
     pub work_area: Option<(Length, Length)>,
     /// Places of the clamps.
     pub keep_out: Vec<KeepOut>,
@@ -134,6 +161,15 @@ pub struct Script {
     pub requires: Vec<String>,
     /// Limits that lines of `start` set.
     pub limits: Limits,
+    /// Effects of the service lines of `start`, in order.
+    pub services: Vec<Service>,
+}
+
+impl Script {
+    /// Whether the program finds the axes' zero by itself.
+    pub fn homes(&self) -> bool {
+        self.services.iter().any(|service| matches!(service, Service::Home(_)))
+    }
 }
 
 /// Limits that lines of a program set for the moves that follow.
@@ -182,6 +218,8 @@ crate::choices! {
     Klipper: "klipper",
     /// RepRapFirmware.
     RepRapFirmware: "reprapfirmware",
+    /// The firmware of Bambu Lab's printers.
+    Bambu: "bambu",
 }
 
 /// What dialects have in common: the machines whose habits their controllers follow.
@@ -201,7 +239,7 @@ impl Dialect {
         match self {
             Self::Generic => DialectFamily::Plain,
             Self::LinuxCnc | Self::Grbl | Self::GrblHal | Self::FluidNc => DialectFamily::Mill,
-            Self::Marlin | Self::Klipper | Self::RepRapFirmware => DialectFamily::Printer,
+            Self::Marlin | Self::Klipper | Self::RepRapFirmware | Self::Bambu => DialectFamily::Printer,
         }
     }
 
@@ -215,7 +253,8 @@ impl Dialect {
             | Self::GrblHal
             | Self::Marlin
             | Self::Klipper
-            | Self::RepRapFirmware => false,
+            | Self::RepRapFirmware
+            | Self::Bambu => false,
         }
     }
 
@@ -225,7 +264,8 @@ impl Dialect {
         match self {
             Self::Generic => 72,
             Self::Grbl => 80,
-            Self::Marlin => 95,
+            // Bambu's buffer is unknown: no longer than Marlin's.
+            Self::Marlin | Self::Bambu => 95,
             Self::LinuxCnc | Self::GrblHal | Self::FluidNc | Self::Klipper | Self::RepRapFirmware => 255,
         }
     }
@@ -241,6 +281,7 @@ impl Dialect {
             Self::Marlin => "Marlin",
             Self::Klipper => "Klipper",
             Self::RepRapFirmware => "RepRapFirmware",
+            Self::Bambu => "Bambu's firmware",
         }
     }
 }
@@ -273,12 +314,51 @@ pub enum DwellUnit {
 }
 
 /// The way in which the iron reaches its temperature.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Heating {
     /// The operator sets a soldering station and confirms.
     Operator,
-    /// The controller heats a hotend and waits (M109).
-    Hotend,
+    /// The controller heats a hotend and waits (M109): that of the tool in use, or of this number.
+    Hotend(Option<u32>),
+    /// The controller heats the `[heater_generic]` of this name and waits (Klipper).
+    Heater(String),
+}
+
+/// Most hotends of a machine.
+const HOTENDS: u32 = 9;
+/// Longest name of a heater, in characters: the line that waits for it must fit.
+const HEATER_LENGTH: usize = 16;
+
+impl Heating {
+    /// The heating called `text` in profiles: "operator", "hotend", "hotend 1", "heater NAME"; `None` if there is no such.
+    pub fn read(text: &str) -> Option<Self> {
+        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-".contains(&byte);
+        let is_name = |name: &str| name.len() <= HEATER_LENGTH && name.bytes().all(is_plain);
+        match text.split_once(' ') {
+            None if text == "operator" => Some(Self::Operator),
+            None if text == "hotend" => Some(Self::Hotend(None)),
+            Some(("hotend", number)) if number.len() == 1 => {
+                number.parse().ok().filter(|number| *number <= HOTENDS).map(|n| Self::Hotend(Some(n)))
+            }
+            Some(("heater", name)) if !name.is_empty() && is_name(name) => Some(Self::Heater(name.to_owned())),
+            _ => None,
+        }
+    }
+
+    /// Whether the program heats, and no operator.
+    pub fn is_by_program(&self) -> bool {
+        *self != Self::Operator
+    }
+
+    /// The name in profiles.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Operator => "operator".to_owned(),
+            Self::Hotend(None) => "hotend".to_owned(),
+            Self::Hotend(Some(number)) => format!("hotend {number}"),
+            Self::Heater(name) => format!("heater {name}"),
+        }
+    }
 }
 
 /// Heights of the tip; Z 0 is the top of the release layer.

@@ -62,9 +62,13 @@ description = "GRBL on a router"  # one line for `stargrip-cam machines`
 # thumbnails = false
 # arcs = true
 # ramp = "3 mm"
+# surface = "0 mm"  # height of the release layer above the machine's Z 0, for a printer that homes: board, fabric and paper
+[origin]
+# x = "0 mm"  # X of the sheet's lower left corner in the machine's coordinates; 0 where they are set to 0 there by hand
+# y = "0 mm"  # Y of the sheet's lower left corner in the machine's coordinates; 0 where they are set to 0 there by hand
 [work_area]
-x = "unknown"  # along X; set both, or none
-y = "unknown"  # along Y; set both, or none
+x = "unknown"  # along X, from the machine's zero; set both, or none
+y = "unknown"  # along Y, from the machine's zero; set both, or none
 [speeds]
 # travel = "20 mm/s"
 # trace = "20 mm/s"
@@ -78,7 +82,7 @@ acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # first_step_rate = "none"
 # min_move_steps = 0
 [dwell]
-# unit = "s"  # of G4's P; of the dialects marlin, klipper and reprapfirmware it is "ms", and no other is taken
+# unit = "s"  # of G4's P; of the dialects marlin, klipper, reprapfirmware and bambu it is "ms", and no other is taken
 # step = "1 ms"
 [keep_out]
 # name = "clamp"  # what messages and the preview call it
@@ -320,7 +324,7 @@ mod tests {
             }
         };
         looked_at(&schema);
-        for section in ["work_area", "heights", "speeds", "motion", "dwell", "program"] {
+        for section in ["origin", "work_area", "heights", "speeds", "motion", "dwell", "program"] {
             looked_at(&schema["properties"][section]);
         }
         looked_at(&schema["properties"][CLAMPS]["items"]);

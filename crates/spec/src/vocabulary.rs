@@ -49,6 +49,9 @@ const MARLIN: [CodeRow; 3] = [(b'M', 0, C::Pause), (b'M', 840, C::End), (b'M', 2
 /// Klipper's own; G20 is an error there.
 const KLIPPER: [CodeRow; 2] = [(b'G', 210, C::Millimetres), (b'M', 840, C::End)];
 
+/// Bambu's own: motors off at the end (`M18` in its own last lines).
+const BAMBU: [CodeRow; 1] = [(b'M', 180, C::End)];
+
 /// RepRapFirmware's own; M0 ends the job, M226 waits.
 const REPRAPFIRMWARE: [CodeRow; 4] =
     [(b'M', 0, C::End), (b'M', 2030, C::Setting), (b'M', 2260, C::Pause), (b'T', 0, C::Setting)];
@@ -56,6 +59,8 @@ const REPRAPFIRMWARE: [CodeRow; 4] =
 /// The words that a controller understands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vocabulary {
+    /// The dialect, by which service lines are read.
+    pub dialect: Dialect,
     /// The codes that it shares with others, and its own.
     codes: &'static [&'static [CodeRow]],
     /// Commands of `codes` that it does not support.
@@ -78,6 +83,7 @@ impl Vocabulary {
     /// The plain subset that every controller reads alike. G61 is left out. Arcs, and G91.1 with them, are read only for a
     /// profile that states that its controller draws them.
     const GENERIC: Self = Self {
+        dialect: Dialect::Generic,
         codes: &[&COMMON, &GEOMETRY, &RS274],
         except: &[C::ExactPath],
         draws_arcs: true,
@@ -90,6 +96,7 @@ impl Vocabulary {
 
     /// LinuxCNC.
     const LINUXCNC: Self = Self {
+        dialect: Dialect::LinuxCnc,
         codes: &[&COMMON, &GEOMETRY, &RS274],
         except: &[],
         draws_arcs: true,
@@ -102,6 +109,7 @@ impl Vocabulary {
 
     /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
     const GRBL: Self = Self {
+        dialect: Dialect::Grbl,
         codes: &[&COMMON, &GEOMETRY, &RS274],
         except: &[C::CentersAbsolute],
         draws_arcs: true,
@@ -114,6 +122,7 @@ impl Vocabulary {
 
     /// Marlin without its options: no arcs, planes or inches.
     const MARLIN: Self = Self {
+        dialect: Dialect::Marlin,
         codes: &[&COMMON, &PRINTER, &MARLIN],
         except: &[],
         draws_arcs: false,
@@ -126,26 +135,48 @@ impl Vocabulary {
 
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
     const KLIPPER: Self = Self {
+        dialect: Dialect::Klipper,
         codes: &[&COMMON, &PRINTER, &KLIPPER],
         except: &[],
         draws_arcs: false,
         subcodes: false,
-        words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
+        words: &[
+            ("PAUSE", C::Pause),
+            ("SET_IDLE_TIMEOUT", C::Setting),
+            ("SET_VELOCITY_LIMIT", C::Setting),
+            ("SET_HEATER_TEMPERATURE", C::HeatOnly),
+            ("TEMPERATURE_WAIT", C::HeatAndWait),
+        ],
         fixed: &[C::PerMinute],
-        parameters: "XYZFPSR",
+        parameters: "XYZFPSRT",
         waits_by_r: false,
     };
 
     /// RepRapFirmware 3: arc centres always from the start.
     const REPRAPFIRMWARE: Self = Self {
+        dialect: Dialect::RepRapFirmware,
         codes: &[&COMMON, &GEOMETRY, &PRINTER, &REPRAPFIRMWARE],
         except: &[],
         draws_arcs: true,
         subcodes: false,
         words: &[],
         fixed: &[C::CentersRelative],
-        parameters: "XYZIJFPSR",
+        parameters: "XYZIJFPSRT",
         waits_by_r: true,
+    };
+
+    /// Bambu's firmware, whose sources are not published: only words of its own start and end lines, and M400 U1, with which Bambu
+    /// Studio pauses (`machine_pause_gcode`).
+    const BAMBU: Self = Self {
+        dialect: Dialect::Bambu,
+        codes: &[&COMMON, &PRINTER, &BAMBU],
+        except: &[],
+        draws_arcs: false,
+        subcodes: false,
+        words: &[("M400 U1", C::Pause)],
+        fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
+        parameters: "XYZFPSRT",
+        waits_by_r: false,
     };
 
     /// The words of a controller of family `dialect` that draws arcs if its family does.
@@ -157,6 +188,7 @@ impl Vocabulary {
             Dialect::Marlin => Self::MARLIN,
             Dialect::Klipper => Self::KLIPPER,
             Dialect::RepRapFirmware => Self::REPRAPFIRMWARE,
+            Dialect::Bambu => Self::BAMBU,
         }
     }
 
@@ -282,8 +314,8 @@ impl Command {
     pub const fn own_letters(self) -> &'static [u8] {
         match self {
             Self::Dwell => b"P",
-            Self::HeatAndWait => b"RS",
-            Self::HeatOnly => b"S",
+            Self::HeatAndWait => b"RST",
+            Self::HeatOnly => b"ST",
             Self::Progress => b"PR",
             Self::Setting => b"IST",
             _ => b"",

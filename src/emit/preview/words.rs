@@ -47,6 +47,11 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     if let Some((x, y)) = machine.bench.work_area {
         block.say(format!("work area {} x {} mm from X0 Y0", Readable(x.0), Readable(y.0)));
     }
+    if let [x, y, z] = machine.controller.place.shift().map(Readable)
+        && !machine.controller.place.is_origin()
+    {
+        block.say(format!("X0 Y0 here is X{x} Y{y} of the machine, the surface Z{z}"));
+    }
     block.explain(Swatch::Scale(SCALE_BAR), "50 mm");
     block
 }

@@ -13,7 +13,7 @@ use forecast::prediction::{Prediction, Verdict};
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
 use program::plan::process_times;
-use spec::{Heating, Machine, Setting, Source, drawing_settings, settings};
+use spec::{Machine, Setting, Source, drawing_settings, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
 const DIGITS: i32 = 6;
@@ -122,7 +122,7 @@ fn machine(machine: &Machine) -> Value {
         "name": machine.name,
         "description": machine.description,
         "requires": machine.script.requires,
-        "heats_itself": machine.controller.heating == Heating::Hotend,
+        "heats_itself": machine.controller.heating.is_by_program(),
         "work_area_mm": machine.bench.work_area.map(|(x, y)| [x.0, y.0]),
         "clamps": clamps.collect::<Vec<_>>(),
     })

@@ -52,6 +52,10 @@ impl Spelling {
                 Self { exact_heat: 'S', ..Self::printer(DisplayProgress::Percent, Some(MOONRAKER)) }
             }
             Dialect::RepRapFirmware => Self::printer(DisplayProgress::PercentAndMinutes, Some(MAKER)),
+            // Bambu waits with S for a nozzle that is too hot, too: so its own start lines do before they level ("M109 S140").
+            Dialect::Bambu => {
+                Self { exact_heat: 'S', ..Self::printer(DisplayProgress::PercentAndMinutes, None) }
+            }
         }
     }
 
@@ -109,7 +113,7 @@ mod tests {
             let (unit, text) = match dialect {
                 Dialect::Generic | Dialect::LinuxCnc | Dialect::FluidNc => (DwellUnit::Seconds, "G4 P1.65"),
                 Dialect::Grbl | Dialect::GrblHal => (DwellUnit::Seconds, "G4 P1.649"),
-                Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
+                Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware | Dialect::Bambu => {
                     (DwellUnit::Milliseconds, "G4 P1650")
                 }
             };

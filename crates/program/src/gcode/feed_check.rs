@@ -47,7 +47,8 @@ pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Progr
 
 /// A pause, with the position that the display must show: a machine that took a position for a displacement is elsewhere.
 fn pause(writer: &mut Writer<'_>, machine: &Machine) {
-    let [x, y, z] = [writer.at.x, writer.at.y, machine.process.heights.travel.0].map(number);
+    let height = writer.height_of(machine.process.heights.travel.0);
+    let [x, y, z] = [writer.at.x, writer.at.y, height].map(number);
     writer.comment(&format!("must stop here, at X{x} Y{y} Z{z}"));
     writer.line(&machine.script.pause);
 }

@@ -4,7 +4,7 @@ use crate::gcode::writer::{Facts, Writer};
 use crate::number::number;
 use crate::plan::{Pace, PacedProcess, Program, Purpose, SeamReport, Stepper};
 use sealed::scope;
-use spec::{DwellUnit, Heating, Machine};
+use spec::{DwellUnit, Machine};
 
 /// Writes the header of `program`.
 pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
@@ -18,7 +18,11 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
         writer.comment(maker);
     }
     writer.comment(&format!("program: purpose={purpose} {}", sheet_and_pieces(program)));
-    writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer");
+    writer.comment(if writer.facts.controller.place.is_origin() {
+        "frame: origin at lower left of the sheet, Z0 on the release layer"
+    } else {
+        "frame: coordinates of the machine after homing, the sheet lies at place"
+    });
     if program.purpose == Purpose::Seal {
         job_facts(writer);
         conditions(writer, machine, program);
@@ -49,10 +53,7 @@ fn job_facts(writer: &mut Writer<'_>) {
     let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
     let (w, o) = (number(seal.band.0), number(seal.overlap.0));
     writer.facts(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
-    let heating = match controller.heating {
-        Heating::Operator => "operator",
-        Heating::Hotend => "hotend",
-    };
+    let heating = controller.heating.name().replace(' ', "-");
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     let arcs = if controller.arcs { "yes" } else { "no" };
     writer.facts(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"));
@@ -66,6 +67,10 @@ fn job_facts(writer: &mut Writer<'_>) {
         DwellUnit::Milliseconds => "ms",
     };
     writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
+    if !controller.place.is_origin() {
+        let [x, y, z] = controller.place.shift().map(number);
+        writer.facts(&format!("place: x_mm={x} y_mm={y} surface_mm={z}"));
+    }
 }
 
 /// The processes of the program, a fact a line: the name of one is as long as a line may be short.

@@ -67,6 +67,10 @@ pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, start: Point) ->
     job.writer.out
 }
 
+/// Difference between the temperature of a heater with a name and the one that the program waits for, in degrees Celsius: a heater that
+/// swings about its target would else be waited for too long.
+const HEATER_SLACK: f64 = 2.0;
+
 /// The way through a program's steps.
 struct Job<'a> {
     writer: Writer<'a>,
@@ -145,7 +149,9 @@ impl<'a> Job<'a> {
         let Facts { controller, .. } = self.writer.facts;
         let t = number(temperature.0);
         self.writer.comment(&format!("heat: temperature_C={t}"));
-        match controller.heating {
+        // The heater may be hotter, from another process or from the program before.
+        let changes = self.whole.as_ref().is_some_and(|whole| whole.program.changes_temperature());
+        match &controller.heating {
             Heating::Operator => {
                 // As many digits as a line has room for.
                 let t = Readable(temperature.0);
@@ -155,14 +161,24 @@ impl<'a> Job<'a> {
                     self.writer.line(&run.machine.script.pause);
                 }
             }
-            Heating::Hotend => {
+            Heating::Hotend(number) => {
                 let t = Decimals::exactly(1).text(temperature.0);
-                // The nozzle may be hotter, from another process or from the program before.
-                let changes = self.whole.as_ref().is_some_and(|whole| whole.program.changes_temperature());
                 let letter = if changes { self.writer.spelling.exact_heat } else { 'S' };
-                self.writer.line(&format!("M109 {letter}{t}"));
+                let tool = number.map_or(String::new(), |number| format!("T{number} "));
+                self.writer.line(&format!("M109 {tool}{letter}{t}"));
             }
+            Heating::Heater(name) => self.heat_named(name, temperature, changes),
         }
+    }
+
+    /// Sets the heater called `name` of Klipper and waits for it; `changes`: it may be hotter than `temperature`.
+    fn heat_named(&mut self, name: &str, temperature: Temperature, changes: bool) {
+        let text = |celsius: f64| Decimals::exactly(1).text(celsius);
+        let [t, least, most] =
+            [temperature.0, temperature.0 - HEATER_SLACK, temperature.0 + HEATER_SLACK].map(text);
+        self.writer.line(&format!("SET_HEATER_TEMPERATURE HEATER={name} TARGET={t}"));
+        let most = if changes { format!(" MAXIMUM={most}") } else { String::new() };
+        self.writer.line(&format!("TEMPERATURE_WAIT SENSOR=\"heater_generic {name}\" MINIMUM={least}{most}"));
     }
 
     /// A pause before the contact at place `next`.

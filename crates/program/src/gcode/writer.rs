@@ -40,7 +40,7 @@ pub(super) struct Writer<'a> {
     decimals: Decimals,
     /// The spelling of the dialect.
     pub(super) spelling: Spelling,
-    /// The iron's position by the numbers written.
+    /// The iron's position by the numbers written, in the controller's coordinates.
     pub(super) at: Point,
     /// The feed in force, mm/min.
     pub(super) feed: Option<f64>,
@@ -56,11 +56,24 @@ impl<'a> Writer<'a> {
             at: Point::ORIGIN,
             feed: None,
         }
+        .at_corner()
     }
 
-    /// The nearest point that the file can express.
+    /// The writer with the iron above the sheet's lower left corner, where programs begin and end.
+    fn at_corner(mut self) -> Self {
+        self.at = self.round(Point::ORIGIN);
+        self
+    }
+
+    /// The nearest point that the file can express to `p` of the sheet, in the controller's coordinates.
     pub(super) fn round(&self, p: Point) -> Point {
-        self.decimals.round_point(p)
+        let [x, y, _] = self.facts.controller.place.shift();
+        self.decimals.round_point(Point::new(p.x + x, p.y + y))
+    }
+
+    /// The height `z` above the release layer, in the controller's coordinates.
+    pub(super) fn height_of(&self, z: f64) -> f64 {
+        z + self.facts.controller.place.surface.0
     }
 
     /// A line as it is.
@@ -116,7 +129,7 @@ impl<'a> Writer<'a> {
 
     /// Straight up or down.
     pub(super) fn height(&mut self, z: f64) {
-        self.word("G0 Z", z);
+        self.word("G0 Z", self.height_of(z));
         self.end_travel();
     }
 
@@ -154,7 +167,7 @@ impl<'a> Writer<'a> {
         self.word(" X", to.x);
         self.word(" Y", to.y);
         if let Some(z) = z {
-            self.word(" Z", z);
+            self.word(" Z", self.height_of(z));
         }
         if let Some(center) = center {
             self.word(" I", center.x - from.x);

@@ -6,8 +6,8 @@ use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
 use crate::plan::ramps::too_steep;
 use design::{Refusal, RefusalCode, Refusals};
-use spec::units::Speed;
-use spec::{Machine, SealProcess, Spec, key};
+use spec::units::{Length, Speed};
+use spec::{Machine, SealProcess, Service, Spec, key};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
@@ -17,6 +17,7 @@ pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Pro
     }
     let mut refusals: Refusals = feed_floor(spec, machine, seals).into_iter().collect();
     refusals.extend(deep_contacts(spec, machine, seals));
+    refusals.extend(clamped_contacts(machine, seals));
     refusals.extend(contradictions(spec, machine, seals));
     refusals.extend(too_steep(spec, machine, seals));
     refusals.extend(clamps_in_the_way(spec, machine, seals, traces));
@@ -44,6 +45,32 @@ fn deep_contacts(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusa
         refusals.push(of_process(spec, process, Refusal::new(key, RefusalCode::DeepContact, fault, remedy)));
     }
     refusals
+}
+
+/// A refusal if the lowest contact is below the zero of a machine that homes and then clamps Z to 0: the iron would not press, and
+/// nothing would tell.
+fn clamped_contacts(machine: &Machine, programs: &[Program]) -> Option<Refusal> {
+    let (dialect, script) = (machine.controller.dialect, &machine.script);
+    let is_free = script.services.contains(&Service::EndstopsOff);
+    if !script.homes() || is_free || !Service::can_free_endstops(dialect) {
+        return None;
+    }
+    let surface = machine.controller.place.surface.0;
+    let processes = programs.iter().flat_map(|program| &program.processes).map(|paced| &paced.process);
+    let contact_of = |process: &SealProcess| process.seal.contact(&machine.process).0;
+    let lowest = surface + processes.map(contact_of).fold(f64::INFINITY, f64::min);
+    // Heights are whole micrometres.
+    if lowest > -1e-6 {
+        return None;
+    }
+    let found = format!(
+        "the machine homes, and the contact is at its Z {}, which {} lifts to 0",
+        Length(lowest),
+        dialect.title()
+    );
+    let remedy = "`start` of the profile must turn the soft endstops off after G28 (M211 S0; RepRapFirmware M564 S0; Bambu M211 X0 Y0 \
+                  Z0), or `surface` must be higher";
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::DeepContact, found, remedy))
 }
 
 /// `refusal` of a spec whose `[seal]` is `process`, as one of the process in `spec`.

@@ -24,7 +24,8 @@ struct TravelHabits {
 /// less than 0.03 s: they are not counted.
 fn habits(dialect: Dialect) -> TravelHabits {
     match dialect {
-        Dialect::Generic => TravelHabits { whole_speed: true, whole_ramp: false, bend: 0.0 },
+        // Bambu's firmware is not known: as the controller that is assumed for `generic`.
+        Dialect::Generic | Dialect::Bambu => TravelHabits { whole_speed: true, whole_ramp: false, bend: 0.0 },
         Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
             TravelHabits { whole_speed: false, whole_ramp: false, bend: 0.0 }
         }

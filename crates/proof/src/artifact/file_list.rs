@@ -17,7 +17,8 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
         | Dialect::FluidNc
         | Dialect::Marlin
         | Dialect::Klipper
-        | Dialect::RepRapFirmware => Format::Gcode.ending(),
+        | Dialect::RepRapFirmware
+        | Dialect::Bambu => Format::Gcode.ending(),
     }
 }
 

@@ -16,6 +16,10 @@ const BUILTIN: &[(&str, &str)] = builtin![
     "marlin",
     "klipper",
     "reprapfirmware",
+    "bambu",
+    "ender",
+    "prusa",
+    "klipper-printer",
     "press"
 ];
 
@@ -26,14 +30,12 @@ pub fn builtin_machines() -> impl Iterator<Item = &'static str> {
 
 /// Usual machines as they are sold: the first letters of their names, in lower case without blanks and dashes, the controller,
 /// and its profile. Owners change firmwares, so this is a hint for a message and never a choice.
-const USUAL: [(&[&str], &str, &str); 6] = [
+const USUAL: [(&[&str], &str, &str); 9] = [
     (
         &[
-            "ender",
             "creality",
             "cr10",
             "cr6",
-            "prusa",
             "anycubic",
             "kobra",
             "artillery",
@@ -48,7 +50,7 @@ const USUAL: [(&[&str], &str, &str); 6] = [
     (
         &["voron", "ratrig", "crealityk", "k1", "qidi", "sovolsv08", "mainsail", "fluidd"],
         "Klipper",
-        "klipper",
+        "klipper-printer",
     ),
     (
         &[
@@ -67,6 +69,9 @@ const USUAL: [(&[&str], &str, &str); 6] = [
         "GRBL",
         "grbl",
     ),
+    (&["ender"], "Marlin", "ender"),
+    (&["prusa", "mk3", "mk4"], "Marlin", "prusa"),
+    (&["bambu", "a1mini", "p1s", "p1p", "x1c", "x1carbon"], "Bambu's firmware", "bambu"),
     (&["duet", "rrf"], "RepRapFirmware", "reprapfirmware"),
     (&["tormach", "pathpilot", "mesa", "emc2"], "LinuxCNC", "linuxcnc"),
     (&["jackpot", "6pack"], "FluidNC", "fluidnc"),
@@ -95,10 +100,12 @@ mod tests {
     #[test]
     fn usual_machines_have_profiles_that_are_there() {
         for (name, profile) in [
-            ("ender3", "marlin"),
-            ("Ender-3 V2", "marlin"),
-            ("Creality K1", "klipper"),
-            ("voron 2.4", "klipper"),
+            ("ender3", "ender"),
+            ("Ender-3 V2", "ender"),
+            ("Prusa MK4", "prusa"),
+            ("Bambu A1", "bambu"),
+            ("Creality K1", "klipper-printer"),
+            ("voron 2.4", "klipper-printer"),
             ("3018", "grbl"),
             ("Duet3", "reprapfirmware"),
         ] {

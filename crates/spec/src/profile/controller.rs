@@ -2,19 +2,20 @@
 
 use crate::FaultCode;
 use crate::allowed::Allowed;
-use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
+use crate::fault::quoted;
+use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, SheetPlace};
 use crate::profile::modes::{check_arcs, check_dwell_unit, check_heating};
+use crate::profile::process::to_micrometres;
 use crate::section::Section;
-use crate::units::Duration;
+use crate::units::{Duration, Length};
 
 /// Reads the controller, from the keys before the first section; its dwells have a section of their own.
 pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
     let dialect = root.choice("dialect", &Dialect::ALL).unwrap_or(Dialect::Generic);
-    let heating = [("operator", Heating::Operator), ("hotend", Heating::Hotend)];
-    let heating = root.choice("heating", &heating).unwrap_or(Heating::Operator);
+    let heating = read_heating(root);
     let comments = [("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)];
     let comments = root.choice("comments", &comments).unwrap_or(Comments::Semicolon);
-    check_heating(root, dialect, heating);
+    check_heating(root, dialect, &heating);
     let arcs = root.truth("arcs");
     let arcs = check_arcs(root, dialect, arcs);
     let thumbnails = root.truth("thumbnails").unwrap_or(false);
@@ -27,7 +28,25 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
         );
     }
     let line_length = read_line_length(root, dialect);
-    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails }
+    // Places are whole micrometres, as heights are: programs state them exactly.
+    let surface = Length(to_micrometres(root.length("surface", PLACE, 0.0).0));
+    let place = SheetPlace { surface, ..SheetPlace::default() };
+    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails, place }
+}
+
+/// Heights of the release layer above the machine's zero, and places of the sheet's corner: within any machine.
+pub(super) const PLACE: Allowed = Allowed::closed(0.0, 1e4);
+
+/// Reads the way in which the iron is heated.
+fn read_heating(root: &mut Section<'_, '_>) -> Heating {
+    let Some((text, _)) = root.text("heating") else { return Heating::Operator };
+    if let Some(heating) = Heating::read(text) {
+        return heating;
+    }
+    let allowed = "must be \"operator\", \"hotend\", \"hotend 1\" or the number of another one, or \"heater NAME\" with at \
+                   most 16 letters, digits, - and _ as NAME";
+    root.refuse(FaultCode::UnknownChoice, "heating", format!("`heating` is {}", quoted(text)), allowed);
+    Heating::Operator
 }
 
 /// Reads the length of a line: `verify` accepts no program with longer ones than the dialect has.

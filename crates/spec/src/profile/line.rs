@@ -4,6 +4,7 @@
 //! seal, a heater that is switched off, the pause and the end. Every other line is refused.
 
 use crate::machine::Limits;
+use crate::service::Service;
 use crate::units::{Acceleration, Duration, Speed};
 use crate::vocabulary::{Command, Vocabulary};
 
@@ -38,6 +39,8 @@ pub(super) enum Effect {
     Setting(Limits),
     /// A heater is switched off.
     HeaterOff,
+    /// The machine is put in order.
+    Service(Service),
     /// The machine waits for the operator.
     Pause,
     /// The program is over.
@@ -52,10 +55,14 @@ const OTHER_LIMITS: [&str; 3] = ["ACCEL_TO_DECEL", "MINIMUM_CRUISE_RATIO", "SQUA
 
 /// The effect of `line` on a controller with `vocabulary`; `None` if programs may not carry it.
 pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
+    if let Some(service) = Service::read(line, vocabulary.dialect) {
+        return Some(Effect::Service(service));
+    }
     if let Some((word, command)) = whole_word(line, vocabulary) {
         let parameters = line[word.len()..].split_whitespace();
         return match command {
             Command::Pause if line == word => Some(Effect::Pause),
+            Command::HeatOnly => turns_off(parameters).then_some(Effect::HeaterOff),
             Command::Setting => named_setting(word, parameters).map(Effect::Setting),
             _ => None,
         };
@@ -64,7 +71,7 @@ pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
     let command = |(letter, number): &(u8, f64)| vocabulary.command(*letter, *number);
     match (parts.first().and_then(command)?, &parts[1..]) {
         (Command::Setting, parameters) => setting(parts[0], parameters).map(Effect::Setting),
-        (Command::HeatOnly, [(b'S', 0.0)]) => Some(Effect::HeaterOff),
+        (Command::HeatOnly, [(b'S', 0.0)] | [(b'T', _), (b'S', 0.0)]) => Some(Effect::HeaterOff),
         (Command::Pause, []) => Some(Effect::Pause),
         (Command::End, []) => Some(Effect::End),
         _ => {
@@ -92,11 +99,18 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
             _ => None,
         });
     }
-    let named = vocabulary
-        .words
-        .iter()
-        .filter(|(_, command)| (*command == Command::Pause) == (part == LinePart::Pause));
-    names.extend(named.map(|(word, _)| (*word).to_owned()));
+    let is_allowed = |command: Command| match part {
+        LinePart::Pause => command == Command::Pause,
+        LinePart::Start | LinePart::End => matches!(command, Command::Setting | Command::HeatOnly),
+    };
+    let named = vocabulary.words.iter().filter(|(_, command)| is_allowed(*command));
+    names.extend(named.map(|(word, command)| match command {
+        Command::HeatOnly => format!("{word} HEATER=.. TARGET=0"),
+        _ => (*word).to_owned(),
+    }));
+    if part == LinePart::Start {
+        names.extend(Service::lines(vocabulary.dialect));
+    }
     names.join(", ")
 }
 
@@ -111,8 +125,14 @@ fn is_mode(command: Command) -> bool {
 
 /// The word of more than a letter with which the line begins.
 fn whole_word(line: &str, vocabulary: Vocabulary) -> Option<(&'static str, Command)> {
-    let first = line.split(' ').next().unwrap_or_default();
-    vocabulary.words.iter().find(|(word, _)| *word == first).copied()
+    let begins = |word: &str| line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
+    vocabulary.words.iter().find(|(word, _)| begins(word)).copied()
+}
+
+/// Whether these parameters of SET_HEATER_TEMPERATURE turn a heater off.
+fn turns_off<'a>(mut parameters: impl Iterator<Item = &'a str>) -> bool {
+    let is_heater = parameters.next().is_some_and(|heater| heater.starts_with("HEATER="));
+    is_heater && parameters.next() == Some("TARGET=0") && parameters.next().is_none()
 }
 
 /// Each letter of a line with its number; `None` if anything else is in it.
@@ -241,7 +261,7 @@ mod tests {
                 "G20",
                 "G91",
                 "G92 Z0",
-                "G28",
+                "G28 E",
                 "M112",
                 "M3",
                 "M104 S1",
@@ -284,7 +304,8 @@ mod tests {
         let vocabulary = Vocabulary::for_dialect(Dialect::Klipper);
         assert_eq!(
             allowed(LinePart::Start, vocabulary),
-            "G21, G90, M104 S0, SET_IDLE_TIMEOUT, SET_VELOCITY_LIMIT"
+            "G21, G90, M104 S0, SET_IDLE_TIMEOUT, SET_VELOCITY_LIMIT, SET_HEATER_TEMPERATURE HEATER=.. TARGET=0, \
+             G28, M140 S.., M190 S.., M107, M220 S100, BED_MESH_CALIBRATE, BED_MESH_PROFILE LOAD=.."
         );
         assert_eq!(allowed(LinePart::Pause, vocabulary), "PAUSE");
         assert_eq!(

@@ -9,6 +9,7 @@ mod known;
 mod line;
 mod modes;
 mod motion;
+mod order;
 mod process;
 mod recognition;
 mod script;
@@ -19,7 +20,7 @@ use crate::machine::{Dialect, Machine, Script, SealingTool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
 use crate::profile::motion::read_motion;
-use crate::profile::process::{read_bench, read_process, read_tip};
+use crate::profile::process::{read_bench, read_origin, read_process, read_tip};
 use crate::profile::script::read_script;
 use crate::reading::{read_schema, read_with};
 use crate::section::Reader;
@@ -66,7 +67,8 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let tip = read_tip(&mut root);
     controller.dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
     let process = read_process(reader, tip);
-    let bench = read_bench(reader);
+    (controller.place.x, controller.place.y) = read_origin(&mut reader.section("origin"));
+    let bench = read_bench(reader, controller.place);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
     let mut machine =
         Machine { name, description, tool, controller, process, bench, motion, script: Script::default() };

@@ -27,12 +27,22 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
 }
 
 /// Reports a profile whose controller is to heat, by a word that it does not read.
-pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: Heating) {
-    if heating == Heating::Hotend && Vocabulary::for_dialect(dialect).command(b'M', 109.0).is_none() {
-        let problem =
-            format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
-        root.refuse(FaultCode::Conflict, "heating", problem, "must be \"operator\" for this dialect");
-    }
+pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: &Heating) {
+    let word = match heating {
+        Heating::Operator => return,
+        Heating::Hotend(_) if Vocabulary::for_dialect(dialect).command(b'M', 109.0).is_some() => return,
+        Heating::Heater(_) if dialect == Dialect::Klipper => return,
+        Heating::Hotend(_) => "M109",
+        Heating::Heater(_) => "SET_HEATER_TEMPERATURE",
+    };
+    let (heating, name) = (heating.name(), dialect.name());
+    let problem = format!("`heating` is \"{heating}\", but controllers of `{name}` read no {word}");
+    let allowed = if word == "M109" {
+        "must be \"operator\" for this dialect"
+    } else {
+        "must be \"operator\" or \"hotend\" for this dialect: Klipper alone has heaters with a name"
+    };
+    root.refuse(FaultCode::Conflict, "heating", problem, allowed);
 }
 
 /// The unit of P in G4 on a controller of `dialect`. A profile with another one `stated` is refused.

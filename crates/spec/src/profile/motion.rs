@@ -41,7 +41,8 @@ impl MotionDefaults {
             | Dialect::GrblHal
             | Dialect::FluidNc
             | Dialect::Klipper
-            | Dialect::RepRapFirmware => {
+            | Dialect::RepRapFirmware
+            | Dialect::Bambu => {
                 Self { first_step_rate: None, min_move_steps: 0.0, has_floor: false }
             }
         }

@@ -3,7 +3,8 @@
 use crate::FaultCode;
 use crate::allowed::{Allowed, SIZE};
 use crate::fault::Fault;
-use crate::machine::{Bench, Heights, KeepOut, Process, lowest_contact};
+use crate::machine::{Bench, Heights, KeepOut, Process, SheetPlace, lowest_contact};
+use crate::profile::controller::PLACE;
 use crate::profile::known::{known_as, quantity_or_unknown};
 use crate::section::{Reader, Section};
 use crate::units::{Length, Speed};
@@ -69,9 +70,23 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
     }
 }
 
-/// Reads the bench, from `[work_area]` and each `[[keep_out]]`.
-pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
-    Bench { work_area: read_work_area(&mut reader.section("work_area")), keep_out: read_keep_out(reader) }
+/// Reads the bench, from `[work_area]` and each `[[keep_out]]`. The work area counts from the machine's zero, and what is left of it
+/// from the sheet's corner at `place`.
+pub(super) fn read_bench(reader: &mut Reader<'_>, place: SheetPlace) -> Bench {
+    let mut section = reader.section("work_area");
+    let work_area = read_work_area(&mut section).map(|(x, y)| (Length(x.0 - place.x.0), Length(y.0 - place.y.0)));
+    if work_area.is_some_and(|(x, y)| x.0 <= 0.0 || y.0 <= 0.0) {
+        let allowed = "must reach beyond the sheet's corner, [origin]: it counts from the machine's zero";
+        let fault = Fault::error(FaultCode::Conflict, section.place(), "[work_area] ends before the sheet begins");
+        section.report(fault.label(allowed));
+    }
+    Bench { work_area, keep_out: read_keep_out(reader) }
+}
+
+/// Reads `[origin]`: X and Y of the sheet's lower left corner.
+pub(super) fn read_origin(s: &mut Section<'_, '_>) -> (Length, Length) {
+    let mut side = |key| Length(to_micrometres(s.length(key, PLACE, 0.0).0));
+    (side("x"), side("y"))
 }
 
 /// Both sizes, or neither: an absent one and "unknown" mean the same.

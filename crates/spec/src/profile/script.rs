@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use crate::FaultCode;
 use crate::fault::{Fault, quoted};
-use crate::machine::{Controller, Limits, Machine, Script};
+use crate::machine::{Controller, Heating, Limits, Machine, Script};
 use crate::profile::line::{Effect, LinePart, allowed, effect};
 use crate::profile::modes::check_modes;
+use crate::profile::order::{ServiceLine, check_services, is_last};
 use crate::section::{Reader, Section};
 use crate::vocabulary::{Command, Vocabulary};
 
@@ -17,27 +18,45 @@ const SLACK: f64 = 1e-9;
 pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Machine) -> Script {
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
-    let mut limits = Limits::default();
-    let start = read_commands(&mut program, LinePart::Start, stated, &mut limits);
+    let (mut limits, mut services) = (Limits::default(), Vec::new());
+    let start = read_commands(&mut program, LinePart::Start, stated, &mut limits, &mut services);
     check_modes(&mut program, &start, &stated.controller);
     let pause = program.text("pause");
     let pause = pause
         .map(|(line, span)| read_command(&mut program, LinePart::Pause, line, span, &stated.controller).0);
-    let end = read_commands(&mut program, LinePart::End, stated, &mut Limits::default());
+    let mut last_services = Vec::new();
+    let end = read_commands(&mut program, LinePart::End, stated, &mut Limits::default(), &mut last_services);
+    check_services(&mut program, &services, &last_services);
+    check_heater_off(&mut program, &end, &stated.controller.heating);
+    let services = services.into_iter().map(|line| line.service).collect();
     // Each becomes a comment that begins with "; requires: ".
     let length = stated.controller.line_length - 12;
     let requires = program.texts("requires").unwrap_or_default().into_iter();
     let requires =
         requires.map(|(line, span)| read_line(&mut program, "requires", line, span, length)).collect();
-    Script { start, pause: pause.unwrap_or_default(), end, requires, limits }
+    Script { start, pause: pause.unwrap_or_default(), end, requires, limits, services }
 }
 
-/// Reads a list of lines; the limits that they set go into `limits`.
+/// Reports an `end` that leaves a heater on that has a number or a name: `M104 S0` is for the tool in use.
+fn check_heater_off(program: &mut Section<'_, '_>, end: &[String], heating: &Heating) {
+    let off = match heating {
+        Heating::Operator | Heating::Hotend(None) => return,
+        Heating::Hotend(Some(number)) => format!("M104 T{number} S0"),
+        Heating::Heater(name) => format!("SET_HEATER_TEMPERATURE HEATER={name} TARGET=0"),
+    };
+    if program.contains("end") && !end.contains(&off) {
+        let problem = format!("`end` does not turn off the heater of `heating`, \"{}\"", heating.name());
+        program.refuse(FaultCode::ProgramLine, "end", problem, format!("must hold \"{off}\""));
+    }
+}
+
+/// Reads a list of lines; the limits that they set go into `limits`, and their services into `services`.
 fn read_commands(
     s: &mut Section<'_, '_>,
     part: LinePart,
     stated: &Machine,
     limits: &mut Limits,
+    services: &mut Vec<ServiceLine>,
 ) -> Vec<String> {
     let key = part.key();
     let lines = s.texts(key).unwrap_or_default();
@@ -53,6 +72,9 @@ fn read_commands(
                     s.report(fault);
                 }
                 *limits = limits.replaced_by(set);
+            }
+            Some(Effect::Service(service)) => {
+                services.push(ServiceLine { service, text: line.clone(), span });
             }
             Some(Effect::End) if Some(i) != last => {
                 let message = format!("a line of `{key}` is {}", quoted(&line));
@@ -86,6 +108,7 @@ fn read_command(
     let (key, vocabulary) = (part.key(), Vocabulary::for_controller(controller));
     let line_effect = effect(line, vocabulary).filter(|effect| match effect {
         Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != LinePart::Pause,
+        Effect::Service(service) => part == LinePart::Start || part == LinePart::End && is_last(*service),
         Effect::Pause => part == LinePart::Pause,
         Effect::End => part == LinePart::End,
     });

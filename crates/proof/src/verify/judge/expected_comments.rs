@@ -6,18 +6,19 @@
 use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::ProgramTask;
 use sealed::LaidSeam;
-use spec::{DwellUnit, Heating, Seal, SealProcess, StepRate};
+use spec::{DwellUnit, Seal, SealProcess, StepRate};
 
 /// The beginning of the operator's instruction, who has no other source.
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 16] = [
+pub(super) const KEYS: [&str; 17] = [
     "program",
     "seal",
     "machine",
     "heights",
     "path",
+    "place",
     "chop",
     "chop-rest",
     "chop-start",
@@ -78,10 +79,7 @@ fn job(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     let (seal, controller, process) = (&spec.seal, &machine.controller, &machine.process);
     let (t, v, w, o) = (seal.temperature.0, seal.speed.0, seal.band.0, seal.overlap.0);
     comments.push(format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
-    let heating = match controller.heating {
-        Heating::Operator => "operator",
-        Heating::Hotend => "hotend",
-    };
+    let heating = controller.heating.name().replace(' ', "-");
     let arcs = if controller.arcs { "yes" } else { "no" };
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     comments.push(format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"));
@@ -95,6 +93,11 @@ fn job(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     };
     let (path, rapid) = (spec.accuracy.path.0, process.travel_speed.0);
     comments.push(format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
+    if let [x, y, z] = controller.place.shift()
+        && !controller.place.is_origin()
+    {
+        comments.push(format!("place: x_mm={x} y_mm={y} surface_mm={z}"));
+    }
 }
 
 /// Speed, mm/s, and largest length, mm, of the strokes of `seal`; `None` where too little is known of the machine.
@@ -136,7 +139,7 @@ fn strokes(task: &ProgramTask<'_>, seal: &Seal, comments: &mut Vec<String>) {
 /// the wait for it to cool.
 fn contacts(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     let ProgramTask { machine, ref job, .. } = *task;
-    let by_operator = machine.controller.heating == Heating::Operator;
+    let by_operator = !machine.controller.heating.is_by_program();
     for (contact, index) in job.contacts.iter().zip(0..) {
         let (i, stop, seal) = (index + 1, job.stop_before(index), &job.process(contact).seal);
         if stop.pauses {

@@ -2,6 +2,7 @@
 
 use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::height::HeightJudge;
+use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::Traced;
@@ -54,7 +55,8 @@ impl FeedCheckTask<'_> {
         let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
         let judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, 2 * lines.len())),
-            Box::new(Body::new(Vec::new())),
+            Box::new(Body::new(Vec::new(), &machine.controller.heating)),
+            Box::new(ReadyJudge::of(&machine.controller)),
             Box::new(HeightJudge::new(&machine.process.heights, area)),
             Box::new(Timed::new(&rules, area, times)),
             Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),

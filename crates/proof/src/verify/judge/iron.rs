@@ -2,33 +2,36 @@
 
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::pace::Paced;
+use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::{ContactCount, ContactRule, IronRules, Phase};
 use crate::verify::judge::script::Body;
 use crate::verify::judge::{HEIGHT, Judge, judged};
 use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{Finding, FindingCode, Findings};
 use geom::Bounds;
+use spec::Controller;
 use spec::units::Speed;
 
 /// Largest difference of waits that are as long, beside the step of a dwell, s: a program may state a millisecond less.
 const COOL: f64 = 2e-3;
 
-/// Everything in a sealing program, given line by line, that breaks the rules, whatever its seams: the iron stays within
-/// `area`, `hotend` tells whether the program heats it.
+/// Everything in a sealing program for `controller`, given line by line, that breaks the rules, whatever its seams: the iron stays within
+/// `area`.
 pub fn judge_iron<'a>(
     rules: &IronRules<'_>,
     area: &Bounds,
-    hotend: bool,
+    controller: &Controller,
     lines: impl IntoIterator<Item = &'a str>,
-    dialect: Dialect,
 ) -> Vec<Finding> {
+    let heats = if controller.heating.is_by_program() { rules.heats() } else { Vec::new() };
     let mut judges: Vec<Box<dyn Judge + '_>> = vec![
-        Box::new(Body::new(if hotend { rules.heats() } else { Vec::new() })),
+        Box::new(Body::new(heats, &controller.heating)),
+        Box::new(ReadyJudge::of(controller)),
         Box::new(HeightJudge::new(&rules.process.heights, *area)),
     ];
     judges.extend(iron(rules));
     let mut findings = Findings::default();
-    let _ = judged(lines, dialect, judges, &mut findings);
+    let _ = judged(lines, Dialect::for_controller(controller), judges, &mut findings);
     findings.into_vec()
 }
 

@@ -5,6 +5,7 @@ use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
+use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::{Sealed, Traced, legs};
@@ -14,7 +15,6 @@ use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Line, Move};
 use crate::verify::{FindingCode, Findings};
 use geom::Bounds;
-use spec::Heating;
 
 impl ProgramTask<'_> {
     /// The number of pauses: one for each heating by the operator, and one wherever a seam asks for it.
@@ -22,7 +22,7 @@ impl ProgramTask<'_> {
         if !self.hot {
             return 0;
         }
-        let by_operator = self.machine.controller.heating == Heating::Operator;
+        let by_operator = !self.machine.controller.heating.is_by_program();
         let of_stop = |i| {
             let stop = self.job.stop_before(i);
             usize::from(stop.pauses) + usize::from(by_operator && stop.heat.is_some())
@@ -35,12 +35,14 @@ impl ProgramTask<'_> {
         let Self { spec, machine, hot, area, .. } = *self;
         let (rules, heights) = (IronRules::new(spec, machine, &self.job), &machine.process.heights);
         let tolerance = spec.accuracy.path.0;
-        let heated_by = |heating| hot && machine.controller.heating == heating;
+        let controller = &machine.controller;
+        let heats = if hot && controller.heating.is_by_program() { rules.heats() } else { Vec::new() };
         let allowed = area.outset(tolerance);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, self.pauses())),
-            Box::new(Body::new(if heated_by(Heating::Hotend) { rules.heats() } else { Vec::new() })),
+            Box::new(Body::new(heats, &controller.heating)),
+            Box::new(ReadyJudge::of(controller)),
             Box::new(FirstWords),
             Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),
@@ -55,7 +57,7 @@ impl ProgramTask<'_> {
         judges.push(Box::new(CommentJudge::new(self)));
         judges.push(Box::new(TravelOrder::new(heights, legs(self), hot, tolerance)));
         judges.push(if hot { Box::new(Sealed::new(self, &rules)) } else { Box::new(Traced::new(self)) });
-        judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
+        judged(text.split_inclusive('\n'), Dialect::for_controller(controller), judges, findings)
     }
 }
 

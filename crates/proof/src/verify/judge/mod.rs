@@ -11,6 +11,7 @@ pub(super) mod iron;
 mod job;
 mod pace;
 pub(super) mod path;
+mod ready;
 pub(super) mod rules;
 mod script;
 mod seams;

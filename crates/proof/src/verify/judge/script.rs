@@ -2,10 +2,10 @@
 
 use crate::verify::finding::quote;
 use crate::verify::judge::Judge;
-use crate::verify::read::gcode::{Event, Heat, Line};
+use crate::verify::read::gcode::{Event, Heat, Heater, Line};
 use crate::verify::{FindingCode, Findings};
-use spec::Machine;
 use spec::units::Temperature;
+use spec::{Heating, Machine};
 
 /// Largest difference of temperatures that are the same, in degrees Celsius.
 const SAME: f64 = 0.5;
@@ -118,8 +118,10 @@ impl<'a> WantedLine<'a> {
 /// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there as planned, and off
 /// before and after. Without one, nothing heats.
 pub(super) struct Body {
-    /// The temperatures of a hotend, in order; empty without one.
+    /// The temperatures of the heater, in order; empty without one.
     heats: Vec<Temperature>,
+    /// The heater; `None` where any hotend may be turned off.
+    heater: Option<Heater>,
     /// Number of heatings so far.
     heated: usize,
     moved: bool,
@@ -136,9 +138,14 @@ struct PendingLine {
 }
 
 impl Body {
-    /// The judge of a program that heats a hotend to `heats`, one after the other.
-    pub(super) fn new(heats: Vec<Temperature>) -> Self {
-        Self { heats, heated: 0, moved: false, pending: Vec::new() }
+    /// The judge of a program that heats by `heating` to `heats`, one after the other.
+    pub(super) fn new(heats: Vec<Temperature>, heating: &Heating) -> Self {
+        let heater = match heating {
+            Heating::Operator => None,
+            Heating::Hotend(number) => Some(Heater::Hotend(*number)),
+            Heating::Heater(name) => Some(Heater::Named(name.clone())),
+        };
+        Self { heats, heater, heated: 0, moved: false, pending: Vec::new() }
     }
 
     fn judge(&mut self, pending: &PendingLine, is_within: bool, findings: &mut Findings) {
@@ -149,6 +156,7 @@ impl Body {
                 let temperature = self.heats.get(self.heated);
                 self.heated += 1;
                 heat.waits
+                    && self.heater.as_ref() == Some(&heat.heater)
                     && temperature.is_some_and(|temperature| (temperature.0 - heat.celsius).abs() <= SAME)
             }
         };
@@ -185,8 +193,8 @@ impl Body {
 impl Judge for Body {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let heats = line.events.iter().filter_map(|event| match event {
-            Event::Heat(heat) => Some(Some(*heat)),
-            Event::Setting => Some(None),
+            Event::Heat(heat) => Some(Some(heat.clone())),
+            Event::Setting | Event::Service(_) => Some(None),
             _ => None,
         });
         let pending = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };

@@ -45,7 +45,7 @@ const fn printer(line_length: usize) -> ReadingRules {
 /// LinuxCNC: lines up to 255. GRBL 1.1: lines up to 80 (protocol.h), arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
 /// grblHAL: as GRBL, lines up to 256 (protocol.h). FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds
 /// (NutsBolts.cpp). Marlin without its options, Klipper without `[gcode_arcs]`, RepRapFirmware 3; Marlin's lines up to 95
-/// (`MAX_CMD_SIZE`).
+/// (`MAX_CMD_SIZE`). Bambu as Marlin.
 const fn rules(dialect: spec::Dialect) -> ReadingRules {
     match dialect {
         spec::Dialect::Generic => ReadingRules {
@@ -60,7 +60,7 @@ const fn rules(dialect: spec::Dialect) -> ReadingRules {
         spec::Dialect::Grbl => mill(80, 0.05, GRBL),
         spec::Dialect::GrblHal => mill(256, 0.05, GRBL),
         spec::Dialect::FluidNc => mill(255, 0.0, GRBL),
-        spec::Dialect::Marlin => printer(95),
+        spec::Dialect::Marlin | spec::Dialect::Bambu => printer(95),
         spec::Dialect::Klipper | spec::Dialect::RepRapFirmware => printer(255),
     }
 }
@@ -82,6 +82,7 @@ impl Dialect {
             dwell,
             dwell_step,
             arcs,
+            shift: [0.0; 3],
         }
     }
 
@@ -92,6 +93,7 @@ impl Dialect {
             line_length: family.line_length.min(controller.line_length),
             vocabulary: Vocabulary::for_controller(controller),
             comments: controller.comments,
+            shift: controller.place.shift(),
             ..family
         };
         match controller.comments {
@@ -144,4 +146,7 @@ pub struct Dialect {
     pub dwell_step: f64,
     /// The limits beyond which an arc is refused.
     pub arcs: ArcTolerance,
+    /// The place of the sheet's lower left corner, on the release layer, in the numbers of programs, mm. Positions are read in the
+    /// sheet's frame.
+    pub shift: [f64; 3],
 }

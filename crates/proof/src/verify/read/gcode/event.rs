@@ -2,6 +2,7 @@
 
 use crate::verify::Finding;
 use geom::{Point, Segment};
+use spec::Service;
 
 /// A position of the iron's tip, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,7 +83,7 @@ pub struct BlindMove {
 }
 
 /// A command to a heater.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Heat {
     /// Line, from 1.
     pub line: usize,
@@ -90,6 +91,26 @@ pub struct Heat {
     pub celsius: f64,
     /// Whether the program waits until it is hot.
     pub waits: bool,
+    /// Which heater it is.
+    pub heater: Heater,
+}
+
+/// A heater of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Heater {
+    /// The hotend of the tool in use, or of this number.
+    Hotend(Option<u32>),
+    /// The heater of this name (Klipper).
+    Named(String),
+}
+
+/// A line that puts the machine in order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ServiceCall {
+    /// Line, from 1.
+    pub line: usize,
+    /// The effect.
+    pub service: Service,
 }
 
 /// A wait for a time.
@@ -123,6 +144,8 @@ pub enum Event {
     Setting,
     /// A heater.
     Heat(Heat),
+    /// The machine is put in order.
+    Service(ServiceCall),
     /// A wait for a time.
     Dwell(Dwell),
     /// A wait for the operator.

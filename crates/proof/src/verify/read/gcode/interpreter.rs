@@ -2,10 +2,11 @@
 
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::{Alphabet, Word};
+use crate::verify::read::gcode::extended::{self, HeaterLine, PendingHeater};
 use crate::verify::read::gcode::machine::{BlockContext, Machine};
-use crate::verify::read::gcode::{Comment, Dialect, Event, Pause, lexer};
+use crate::verify::read::gcode::{Comment, Dialect, Event, Heat, Pause, ServiceCall, lexer};
 use crate::verify::{Finding, FindingCode};
-use spec::{Command, Comments};
+use spec::{Command, Comments, Service};
 
 /// The beginning of the last line of every program; the number of lines follows.
 const SENTINEL: &str = "end of program, ";
@@ -25,6 +26,8 @@ pub struct Interpreter {
     /// The temperature that a comment announced and the next pause puts into force.
     announced: Option<f64>,
     ended: Option<usize>,
+    /// The heater that an extended command has set, until the program waits for it.
+    pending: PendingHeater,
     /// Whether the last line was the right sentinel, with its line end.
     sentinel: bool,
 }
@@ -41,6 +44,7 @@ impl Interpreter {
             line: 0,
             announced: None,
             ended: None,
+            pending: PendingHeater::default(),
             sentinel: false,
         }
     }
@@ -63,7 +67,11 @@ impl Interpreter {
             self.report(events, FindingCode::LineTooLong, format!("{} characters", line.len()), allowed);
         }
         let mut comment = None;
-        if let Some(command) = self.whole_word(line) {
+        if let Some(service) = Service::read(line, self.dialect.vocabulary.dialect) {
+            self.serve(service, events);
+        } else if extended::is_heating(line) && self.whole_word(line).is_some() {
+            self.heat(line, events);
+        } else if let Some(command) = self.whole_word(line) {
             self.block.set(command);
             self.execute(events);
         } else {
@@ -105,7 +113,7 @@ impl Interpreter {
 
     /// The command of a line that is one of the dialect's longer words, with words of its own or without.
     fn whole_word(&self, line: &str) -> Option<Command> {
-        let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -".contains(c);
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -\"".contains(c);
         let is = |word: &str| {
             let rest = line.strip_prefix(word);
             rest.is_some_and(|rest| (rest.is_empty() || rest.starts_with(' ')) && rest.chars().all(plain))
@@ -113,11 +121,51 @@ impl Interpreter {
         self.dialect.vocabulary.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
     }
 
-    fn execute(&mut self, events: &mut Vec<Event>) {
+    /// Whether the program has ended, and nothing more is executed.
+    fn is_over(&self, events: &mut Vec<Event>) -> bool {
         if let Some(end) = self.ended {
             let fault = format!("words after the program's end in line {end}");
             self.report(events, FindingCode::AfterEnd, fault, "comments only");
+        }
+        self.ended.is_some()
+    }
+
+    /// Follows a line that puts the machine in order.
+    fn serve(&mut self, service: Service, events: &mut Vec<Event>) {
+        if !self.is_over(events) {
+            self.machine.serve(ServiceCall { line: self.line, service }, events);
+        }
+    }
+
+    /// Follows an extended command to a heater: it is set by one line, and the next one waits for it.
+    fn heat(&mut self, line: &str, events: &mut Vec<Event>) {
+        if self.is_over(events) {
             return;
+        }
+        match self.pending.read(line) {
+            Some(HeaterLine::Set) => self.announced = None,
+            Some(HeaterLine::Off(heater)) => {
+                let heat = Heat { line: self.line, celsius: 0.0, waits: false, heater };
+                self.machine.heat(heat, false, events);
+            }
+            Some(HeaterLine::Hot { heater, celsius, waits_for_cooler }) => {
+                let heat = Heat { line: self.line, celsius, waits: true, heater };
+                self.machine.heat(heat, waits_for_cooler, events);
+            }
+            None => {
+                let allowed = "SET_HEATER_TEMPERATURE HEATER=name TARGET=.., then TEMPERATURE_WAIT for it";
+                self.report(events, FindingCode::StrayHeat, line, allowed);
+            }
+        }
+    }
+
+    fn execute(&mut self, events: &mut Vec<Event>) {
+        if self.is_over(events) {
+            return;
+        }
+        if self.pending.take() {
+            let fault = "words between a heater's temperature and the wait for it";
+            self.report(events, FindingCode::HeatWithoutPause, fault, "TEMPERATURE_WAIT first");
         }
         let pause = self.block.has_command(Command::Pause);
         if self.block.has_command(Command::HeatAndWait) {

@@ -3,11 +3,11 @@
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{
-    ArcTolerance, BlindMove, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3,
+    ArcTolerance, BlindMove, Dialect, Dwell, Event, Heat, Heater, Move, MoveKind, Point3, ServiceCall,
 };
 use crate::verify::{Finding, FindingCode};
 use geom::{Arc, Line, Point, Segment};
-use spec::Command;
+use spec::{Command, Service};
 use std::f64::consts::TAU;
 
 /// A line that is executed, and the list of its events.
@@ -66,11 +66,15 @@ impl Machine {
                 let by_r = block.value(b'R').filter(|_| waits);
                 let celsius = block.value(b'S').or(by_r).unwrap_or(0.0);
                 // With S some controllers do not wait for a heater that is too hot.
-                let may_be_hotter = by_r.is_none()
-                    && context.dialect.vocabulary.waits_by_r
-                    && self.waited_for_celsius.is_some_and(|hot| hot > celsius + 0.5);
-                self.waited_for_celsius = Some(celsius).filter(|t| waits && !may_be_hotter && *t > 0.0);
-                context.out.push(Event::Heat(Heat { line, celsius, waits }));
+                let waits_for_cooler = by_r.is_some() || !context.dialect.vocabulary.waits_by_r;
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "a number that is none of a tool is no tool of the profile"
+                )]
+                let number = block.value(b'T').map(|number| number as u32);
+                let heat = Heat { line, celsius, waits, heater: Heater::Hotend(number) };
+                self.heat(heat, waits_for_cooler, context.out);
             }
         }
         if block.commands.iter().any(|command| command.is_setting()) {
@@ -92,6 +96,25 @@ impl Machine {
         } else if block.has_command(Command::ArcCw) || block.has_command(Command::ArcCcw) {
             context.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
         }
+    }
+
+    /// Follows a command to a heater; `waits_for_cooler`: it also waits for a heater that is too hot.
+    pub(super) fn heat(&mut self, heat: Heat, waits_for_cooler: bool, out: &mut Vec<Event>) {
+        let may_be_hotter =
+            !waits_for_cooler && self.waited_for_celsius.is_some_and(|hot| hot > heat.celsius + 0.5);
+        let is_hot = heat.waits && !may_be_hotter && heat.celsius > 0.0;
+        self.waited_for_celsius = is_hot.then_some(heat.celsius);
+        out.push(Event::Heat(heat));
+    }
+
+    /// Follows a line that puts the machine in order: homing leaves the iron at a place that the program does not state.
+    pub(super) fn serve(&mut self, call: ServiceCall, out: &mut Vec<Event>) {
+        if let Service::Home(axes) = call.service {
+            for (position, _) in self.position.iter_mut().zip(axes).filter(|(_, is_homed)| *is_homed) {
+                *position = None;
+            }
+        }
+        out.push(Event::Service(call));
     }
 
     /// The move to the axis words of the block, with its path and its feed.
@@ -145,11 +168,11 @@ impl Machine {
     /// The position after the block; `None` if it is unknown.
     fn target(&self, context: &mut BlockContext<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
-        for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
+        for ((axis, letter), shift) in to.iter_mut().zip(*b"XYZ").zip(context.dialect.shift) {
             let Some(value) = context.block.value(letter) else { continue };
             let value = value * self.modes.scale();
             if !self.modes.is_relative() {
-                *axis = Some(value);
+                *axis = Some(value - shift);
             } else if let Some(coordinate) = axis {
                 *coordinate += value;
             } else {
@@ -174,7 +197,9 @@ impl Machine {
         }
         let scale = self.modes.scale();
         let (i, j) = (i.unwrap_or(0.0) * scale, j.unwrap_or(0.0) * scale);
-        let center = if absolute { Point::new(i, j) } else { Point::new(from.x + i, from.y + j) };
+        let [x, y, _] = context.dialect.shift;
+        let center =
+            if absolute { Point::new(i - x, j - y) } else { Point::new(from.x + i, from.y + j) };
         let ccw = self.modes.motion == Some(Command::ArcCcw);
         match arc(from, to, center, ccw, &context.dialect.arcs) {
             Ok(arc) => Some(arc.into()),

@@ -9,6 +9,7 @@
 mod block;
 mod dialects;
 mod event;
+mod extended;
 mod interpreter;
 mod lexer;
 mod machine;
@@ -16,6 +17,8 @@ mod modes;
 mod program;
 
 pub use dialects::{ArcTolerance, Dialect};
-pub use event::{BlindMove, Comment, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
+pub use event::{
+    BlindMove, Comment, Dwell, Event, Heat, Heater, Move, MoveKind, Pause, Point3, ServiceCall,
+};
 pub use interpreter::Interpreter;
 pub use program::{Line, Program, each_line, read_program};

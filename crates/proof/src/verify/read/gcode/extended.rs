@@ -1,0 +1,103 @@
+//! Klipper's extended commands to heaters (docs/G-Codes.md): one sets the temperature of a heater with a name, the next waits for it.
+
+use crate::verify::read::gcode::Heater;
+use crate::verify::read::number;
+
+/// Largest difference between a heater's temperature and the one that is waited for, in degrees Celsius.
+const NEAR: f64 = 2.5;
+
+/// Whether the line is a command to a heater with a name.
+pub(super) fn is_heating(line: &str) -> bool {
+    line.starts_with("SET_HEATER_TEMPERATURE") || line.starts_with("TEMPERATURE_WAIT")
+}
+
+/// The heater that was set last, until the program waits for it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PendingHeater(Option<(String, f64)>);
+
+/// The effect of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum HeaterLine {
+    /// A temperature is set.
+    Set,
+    /// A heater is turned off.
+    Off(Heater),
+    /// The heater is hot.
+    Hot { heater: Heater, celsius: f64, waits_for_cooler: bool },
+}
+
+impl PendingHeater {
+    /// Whether a heater was set without a wait; there is none from here on.
+    pub(super) fn take(&mut self) -> bool {
+        self.0.take().is_some()
+    }
+
+    /// The effect of `line`; `None` if it is in the wrong form, or waits for another temperature or heater than was set.
+    pub(super) fn read(&mut self, line: &str) -> Option<HeaterLine> {
+        if let Some(rest) = line.strip_prefix("SET_HEATER_TEMPERATURE HEATER=") {
+            let (name, target) = rest.split_once(" TARGET=")?;
+            let (name, celsius) = (plain_name(name)?, number::value(target)?);
+            if self.0.is_some() {
+                return None;
+            }
+            if celsius == 0.0 {
+                return Some(HeaterLine::Off(Heater::Named(name)));
+            }
+            self.0 = Some((name, celsius));
+            return (celsius > 0.0).then_some(HeaterLine::Set);
+        }
+        let rest = line.strip_prefix("TEMPERATURE_WAIT SENSOR=\"heater_generic ")?;
+        let (name, limits) = rest.split_once("\" MINIMUM=")?;
+        let (least, most) = match limits.split_once(" MAXIMUM=") {
+            Some((least, most)) => (number::value(least)?, Some(number::value(most)?)),
+            None => (number::value(limits)?, None),
+        };
+        let (heater, celsius) = self.0.take()?;
+        let is_near = |limit: f64| (limit - celsius).abs() <= NEAR;
+        let right = heater == name && is_near(least) && most.is_none_or(is_near);
+        let waits_for_cooler = most.is_some();
+        right.then_some(HeaterLine::Hot { heater: Heater::Named(heater), celsius, waits_for_cooler })
+    }
+}
+
+fn plain_name(name: &str) -> Option<String> {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-".contains(&byte);
+    (!name.is_empty() && name.bytes().all(is_plain)).then(|| name.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[&str]) -> Vec<Option<HeaterLine>> {
+        let mut pending = PendingHeater::default();
+        lines.iter().map(|line| pending.read(line)).collect()
+    }
+
+    #[test]
+    fn a_heater_is_set_and_waited_for() {
+        let set = "SET_HEATER_TEMPERATURE HEATER=tip TARGET=200.0";
+        let heater = Heater::Named("tip".to_owned());
+        for (wait, waits_for_cooler) in [("MINIMUM=198", false), ("MINIMUM=198 MAXIMUM=202", true)] {
+            let wait = format!("TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" {wait}");
+            let hot = HeaterLine::Hot { heater: heater.clone(), celsius: 200.0, waits_for_cooler };
+            assert_eq!(read(&[set, &wait]), [Some(HeaterLine::Set), Some(hot)]);
+        }
+        assert_eq!(
+            read(&["SET_HEATER_TEMPERATURE HEATER=tip TARGET=0"]),
+            [Some(HeaterLine::Off(heater))]
+        );
+        for wait in [
+            "TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MINIMUM=190",
+            "TEMPERATURE_WAIT SENSOR=\"heater_generic other\" MINIMUM=198",
+            "TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MAXIMUM=400",
+            "TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MINIMUM=198 MAXIMUM=400",
+            "TEMPERATURE_WAIT SENSOR=tip MINIMUM=198",
+            "SET_HEATER_TEMPERATURE HEATER=tip TARGET=200",
+            "SET_HEATER_TEMPERATURE HEATER=tip",
+        ] {
+            assert_eq!(read(&[set, wait])[1], None, "{wait}");
+        }
+        assert_eq!(read(&["TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MINIMUM=198"]), [None]);
+    }
+}
