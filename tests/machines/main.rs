@@ -13,6 +13,8 @@ mod job_size;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;
+mod printer_lines;
+mod printers;
 mod processes;
 mod profile_lines;
 mod resume;
@@ -30,13 +32,16 @@ use stargrip_cam::spec::{
 };
 use stargrip_cam::verify::{Finding, OutputFiles};
 
-/// All built-in profiles: one for each dialect, by its name.
-const PROFILES: [&str; Dialect::ALL.len()] = Dialect::WORDS;
+/// The profiles of machines whose operator sets Z 0 on the sheet: one for each dialect but Bambu's, by its name.
+const PROFILES: [&str; 8] =
+    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+
+/// The profiles of printers that home: their programs count in the machine's coordinates.
+const PRINTERS: [&str; 4] = ["bambu", "ender", "prusa", "klipper-printer"];
 
 /// The dialect of the profile `name`.
 fn dialect(name: &str) -> Dialect {
-    let named = Dialect::ALL.iter().find(|(own, _)| *own == name);
-    named.unwrap_or_else(|| panic!("{name} is no dialect")).1
+    machine(profile(name)).controller.dialect
 }
 
 /// The profiles of `family`.
@@ -67,7 +72,9 @@ fn with_floor() -> impl Iterator<Item = &'static str> {
 #[test]
 fn every_profile_is_tried() {
     let with_programs = builtin_machines().filter(|name| *name != PRESS_PROFILE);
-    assert!(with_programs.eq(PROFILES), "PROFILES are not those that come with the program");
+    let tried = PROFILES.into_iter().chain(PRINTERS);
+    assert!(with_programs.eq(tried), "PROFILES and PRINTERS are not those that come with the program");
+    assert!(Dialect::WORDS.iter().all(|name| PROFILES.contains(name) || PRINTERS.contains(name)));
 }
 
 /// A spec of a small star, with `rest` added.

@@ -340,7 +340,9 @@ impl Heating {
             Some(("hotend", number)) if number.len() == 1 => {
                 number.parse().ok().filter(|number| *number <= HOTENDS).map(|n| Self::Hotend(Some(n)))
             }
-            Some(("heater", name)) if !name.is_empty() && is_name(name) => Some(Self::Heater(name.to_owned())),
+            Some(("heater", name)) if !name.is_empty() && is_name(name) => {
+                Some(Self::Heater(name.to_owned()))
+            }
             _ => None,
         }
     }

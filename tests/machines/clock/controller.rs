@@ -42,14 +42,22 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
         Dialect::Grbl => grbl(Timer::Avr, motors).run(&tasks, &mut track),
         Dialect::GrblHal => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
         Dialect::FluidNc => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
-        Dialect::Marlin => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
+        // feature/precise_stepping: speeds as they are; its corners are assumed to be Klipper's.
+        Dialect::Marlin if name == "prusa" => {
+            sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track);
+        }
+        Dialect::Marlin => {
+            let floor = if name == "ender" { 1.0 } else { 32.0 };
+            marlin(motors, floor, Version::Two).run(&tasks, &mut track);
+        }
         // klippy/toolhead.py, square_corner_velocity.
         Dialect::Klipper => sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track),
         // Config/Configuration.h: M566 of X and Y, and of Z.
         Dialect::RepRapFirmware => {
             sweep(motors, Corner::Jerk([15.0, 15.0, 10.0]), 1e-3).run(&tasks, &mut track);
         }
-        // Unknown; its corners are those of GRBL.
+        // Both are unknown; their corners are those of GRBL.
+        Dialect::Bambu => sweep(motors, Corner::Deviation(0.01), 1e-3).run(&tasks, &mut track),
         Dialect::Generic => sweep(motors, Corner::Deviation(0.01), 1.0).run(&tasks, &mut track),
         Dialect::LinuxCnc => sweep(motors, Corner::Stop, 1.0).run(&tasks, &mut track),
     }
@@ -58,7 +66,7 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
 
 /// The part of a stroke's time by which the dwell after it ends early on the controller of `dialect`, at `speed` mm/s.
 pub(crate) fn dwell_loss(dialect: &str, text: &Text, speed: f64) -> f64 {
-    let stroke = text.fact("chop.longest_mm").filter(|_| dialect == "marlin");
+    let stroke = text.fact("chop.longest_mm").filter(|_| ["marlin", "ender"].contains(&dialect));
     stroke.map_or(0.0, |stroke| super::marlin::EARLY * speed / stroke)
 }
 
@@ -93,7 +101,9 @@ fn reading(dialect: Dialect) -> Reading {
     let chords = match dialect {
         Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => grbl_chords,
         Dialect::RepRapFirmware => duet_chords,
-        Dialect::Generic | Dialect::LinuxCnc | Dialect::Marlin | Dialect::Klipper => fine_chords,
+        Dialect::Generic | Dialect::LinuxCnc | Dialect::Marlin | Dialect::Klipper | Dialect::Bambu => {
+            fine_chords
+        }
     };
     Reading { modal_travel, lowest_feed, chords }
 }

@@ -51,14 +51,16 @@ pub(crate) fn length(way: [f64; 3]) -> f64 {
     way.iter().map(|d| d * d).sum::<f64>().sqrt()
 }
 
-/// The tasks of a program whose iron starts at X0 Y0 at the first programmed height, where every program leaves it.
+/// The tasks of a program whose iron starts above the sheet's corner at the first programmed height, where every program leaves it.
 pub(crate) fn tasks(text: &Text, reading: &Reading) -> Vec<Task> {
     let mut tasks = Vec::new();
     let height = text.commands.iter().find_map(|(_, command)| match command {
         Command::Move(words) => words.to[2],
         _ => None,
     });
-    let (mut position, mut feed, mut lowest) = ([0.0, 0.0, height.unwrap_or(0.0)], 0.0, reading.lowest_feed);
+    let corner = |axis| text.fact(axis).unwrap_or(0.0);
+    let mut position = [corner("place.x_mm"), corner("place.y_mm"), height.unwrap_or(0.0)];
+    let (mut feed, mut lowest) = (0.0, reading.lowest_feed);
     for (line, command) in &text.commands {
         match command {
             Command::Dwell(time) => tasks.push(Task::Dwell(*time)),

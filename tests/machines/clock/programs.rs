@@ -4,7 +4,7 @@ use stargrip_cam::coupon::{CouponGroup, StripGrid, coupons};
 use stargrip_cam::emit;
 use stargrip_cam::pipeline::Planned;
 use stargrip_cam::plan::feed_checks;
-use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
+use stargrip_cam::spec::{Bench, Machine, Source, Spec, builtin_machine, read, read_machine};
 use stargrip_cam::units::{Length, Speed, Temperature};
 
 use super::controller::{Board, Motors};
@@ -14,7 +14,7 @@ use super::marlin::Version;
 pub(crate) type Named = (String, String);
 
 /// Every dialect with a profile, and whether its controller has a lowest step rate.
-pub(crate) use crate::{PROFILES as DIALECTS, has_floor};
+pub(crate) use crate::{PRINTERS, PROFILES as DIALECTS, has_floor};
 
 /// The built-in profile, on a machine with these motors.
 pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
@@ -50,7 +50,9 @@ fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {
         }
     });
     let text = lines.collect::<Vec<_>>().join("\n");
-    read_machine(&Source::new("machine", &text)).unwrap_or_else(|faults| panic!("{faults}"))
+    let machine = read_machine(&Source::new("machine", &text)).unwrap_or_else(|faults| panic!("{faults}"));
+    // Some designs are larger than the bed of a printer.
+    Machine { bench: Bench::default(), ..machine }
 }
 
 /// The spec `text`, chopped where the controller needs it.

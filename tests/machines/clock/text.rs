@@ -97,7 +97,7 @@ fn command(line: &str) -> Option<Command> {
         })),
         "G4" => Some(Command::Dwell(word('P').unwrap_or(0.0))),
         "M203" => word('I').map(Command::LowestFeed),
-        "M0" | "M2" | "M109" | "M226" => Some(Command::Halt),
+        "M0" | "M2" | "M109" | "M226" | "M400" => Some(Command::Halt),
         _ => None,
     }
 }

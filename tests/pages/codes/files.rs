@@ -36,6 +36,8 @@ enum Base {
     Pressed,
     /// A wait after each seam.
     Cooled,
+    /// A printer that homes.
+    Homed,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -132,6 +134,9 @@ const EDITS: &[Edit] = &[
         ),
     ),
     edit("size", SVG, "paper", "papers"),
+    edit_of(Base::Homed, edit("feed-override", SEAL, "M220 S100", "M220 S50")),
+    edit_of(Base::Homed, edit("hot-bed", SEAL, "M107\n", "M107\nM190 S120\n")),
+    edit_of(Base::Homed, edit("unhomed-axis", SEAL, "G28\n", "G28 X Y\n")),
     edit_of(Base::Hotend, edit("stray-heat", SEAL, "G0 Z5 F1200", "M104 S250\nG0 Z5 F1200")),
     edit("stray-travel", SEAL, "G0 X249.0863", "G0 X248.0863"),
     edit("too-deep", SEAL, "Z-0.3", "Z-0.9"),
@@ -168,6 +173,7 @@ fn built(base: Base) -> Built {
         Base::Tiled => "[mask]\nbed = \"220 mm x 220 mm\"\n",
         Base::Clamped => "[machine]\nprofile = \"own.toml\"\n",
         Base::Pressed => "[machine]\nprofile = \"press\"\n",
+        Base::Homed => "[machine]\nprofile = \"klipper-printer\"\n",
         Base::Cooled => "[seal]\ncool = \"3 s\"\n",
     };
     let text = format!("{PAPER}{rest}");
@@ -189,6 +195,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Clamped,
         Base::Pressed,
         Base::Cooled,
+        Base::Homed,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }

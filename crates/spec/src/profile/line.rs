@@ -125,7 +125,8 @@ fn is_mode(command: Command) -> bool {
 
 /// The word of more than a letter with which the line begins.
 fn whole_word(line: &str, vocabulary: Vocabulary) -> Option<(&'static str, Command)> {
-    let begins = |word: &str| line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
+    let begins =
+        |word: &str| line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
     vocabulary.words.iter().find(|(word, _)| begins(word)).copied()
 }
 

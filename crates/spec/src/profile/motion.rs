@@ -42,9 +42,7 @@ impl MotionDefaults {
             | Dialect::FluidNc
             | Dialect::Klipper
             | Dialect::RepRapFirmware
-            | Dialect::Bambu => {
-                Self { first_step_rate: None, min_move_steps: 0.0, has_floor: false }
-            }
+            | Dialect::Bambu => Self { first_step_rate: None, min_move_steps: 0.0, has_floor: false },
         }
     }
 }

@@ -35,7 +35,9 @@ pub(super) fn check_services(program: &mut Section<'_, '_>, start: &[ServiceLine
     let mut is_prepared = false;
     for line in start {
         let allowed = match line.service {
-            Service::Home(_) if is_prepared => Some("must come before levelling and M211: homing undoes both"),
+            Service::Home(_) if is_prepared => {
+                Some("must come before levelling and M211: homing undoes both")
+            }
             Service::Level | Service::EndstopsOff if homed != [true; 3] => {
                 Some("must come after X, Y and Z are homed, G28")
             }
@@ -61,7 +63,11 @@ pub(super) fn check_services(program: &mut Section<'_, '_>, start: &[ServiceLine
     check_homed(program, start, homed);
     for (warming, line) in warm.iter().filter(|(warming, _)| warming.celsius > 0.0) {
         if !warming.waits {
-            refuse(program, line, "must be followed by the line that waits, M190 or M191: Z shifts as it warms");
+            refuse(
+                program,
+                line,
+                "must be followed by the line that waits, M190 or M191: Z shifts as it warms",
+            );
         }
         if !end.iter().any(|last| turns_off(last.service, warming.part)) {
             let word = if warming.part == WarmPart::Bed { "M140 S0" } else { "M141 S0" };
@@ -75,9 +81,16 @@ pub(super) fn check_services(program: &mut Section<'_, '_>, start: &[ServiceLine
 fn check_homed(program: &mut Section<'_, '_>, start: &[ServiceLine], homed: [bool; 3]) {
     let first = start.iter().find(|line| matches!(line.service, Service::Home(_)));
     if let Some(line) = first.filter(|_| homed != [true; 3]) {
-        let axes: Vec<&str> =
-            ["X", "Y", "Z"].into_iter().zip(homed).filter_map(|(axis, known)| (!known).then_some(axis)).collect();
-        refuse(program, line, &format!("must be followed by a line that homes {} as well", axes.join(" and ")));
+        let axes: Vec<&str> = ["X", "Y", "Z"]
+            .into_iter()
+            .zip(homed)
+            .filter_map(|(axis, known)| (!known).then_some(axis))
+            .collect();
+        refuse(
+            program,
+            line,
+            &format!("must be followed by a line that homes {} as well", axes.join(" and ")),
+        );
     }
 }
 

@@ -74,10 +74,12 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
 /// from the sheet's corner at `place`.
 pub(super) fn read_bench(reader: &mut Reader<'_>, place: SheetPlace) -> Bench {
     let mut section = reader.section("work_area");
-    let work_area = read_work_area(&mut section).map(|(x, y)| (Length(x.0 - place.x.0), Length(y.0 - place.y.0)));
+    let work_area =
+        read_work_area(&mut section).map(|(x, y)| (Length(x.0 - place.x.0), Length(y.0 - place.y.0)));
     if work_area.is_some_and(|(x, y)| x.0 <= 0.0 || y.0 <= 0.0) {
         let allowed = "must reach beyond the sheet's corner, [origin]: it counts from the machine's zero";
-        let fault = Fault::error(FaultCode::Conflict, section.place(), "[work_area] ends before the sheet begins");
+        let fault =
+            Fault::error(FaultCode::Conflict, section.place(), "[work_area] ends before the sheet begins");
         section.report(fault.label(allowed));
     }
     Bench { work_area, keep_out: read_keep_out(reader) }

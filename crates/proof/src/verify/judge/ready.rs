@@ -147,7 +147,9 @@ mod tests {
         let judge = Box::new(ReadyJudge::new(surface, true));
         let dialect = Dialect::new(spec::Dialect::Marlin);
         let _ = judged(text.split_inclusive('\n'), dialect, vec![judge], &mut findings);
-        let is_own = |code: &str| ["unhomed-axis", "hot-bed", "feed-override", "stray-heat", "too-deep"].contains(&code);
+        let is_own = |code: &str| {
+            ["unhomed-axis", "hot-bed", "feed-override", "stray-heat", "too-deep"].contains(&code)
+        };
         let own = findings.into_vec().into_iter().filter(|finding| is_own(finding.code));
         own.map(|finding| (finding.code, finding.line.expect("a line"))).collect()
     }

@@ -83,10 +83,7 @@ mod tests {
             let hot = HeaterLine::Hot { heater: heater.clone(), celsius: 200.0, waits_for_cooler };
             assert_eq!(read(&[set, &wait]), [Some(HeaterLine::Set), Some(hot)]);
         }
-        assert_eq!(
-            read(&["SET_HEATER_TEMPERATURE HEATER=tip TARGET=0"]),
-            [Some(HeaterLine::Off(heater))]
-        );
+        assert_eq!(read(&["SET_HEATER_TEMPERATURE HEATER=tip TARGET=0"]), [Some(HeaterLine::Off(heater))]);
         for wait in [
             "TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MINIMUM=190",
             "TEMPERATURE_WAIT SENSOR=\"heater_generic other\" MINIMUM=198",

@@ -1,8 +1,8 @@
 //! The interpreter: line after line, in constant memory.
 
 use crate::verify::read::gcode::block::Block;
-use crate::verify::read::gcode::lexer::{Alphabet, Word};
 use crate::verify::read::gcode::extended::{self, HeaterLine, PendingHeater};
+use crate::verify::read::gcode::lexer::{Alphabet, Word};
 use crate::verify::read::gcode::machine::{BlockContext, Machine};
 use crate::verify::read::gcode::{Comment, Dialect, Event, Heat, Pause, ServiceCall, lexer};
 use crate::verify::{Finding, FindingCode};

@@ -198,8 +198,7 @@ impl Machine {
         let scale = self.modes.scale();
         let (i, j) = (i.unwrap_or(0.0) * scale, j.unwrap_or(0.0) * scale);
         let [x, y, _] = context.dialect.shift;
-        let center =
-            if absolute { Point::new(i - x, j - y) } else { Point::new(from.x + i, from.y + j) };
+        let center = if absolute { Point::new(i - x, j - y) } else { Point::new(from.x + i, from.y + j) };
         let ccw = self.modes.motion == Some(Command::ArcCcw);
         match arc(from, to, center, ccw, &context.dialect.arcs) {
             Ok(arc) => Some(arc.into()),
