@@ -205,7 +205,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
     refused(&["1 kg", "--machine", "loom"], "not a machine profile");
     refused(
         &["1 kg", "--machine", "Ender-3"],
-        "not a machine profile, and not a file; it usually has Marlin: --machine marlin",
+        "not a machine profile, and not a file; it usually has Marlin: --machine ender",
     );
     for wrong in [
         &["--mass", "1 kg"][..],

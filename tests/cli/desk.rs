@@ -138,7 +138,7 @@ fn a_machine_by_its_trade_name_is_told_its_profile() {
     fs::write(dir.path().join("e.toml"), format!("{STAR}[machine]\nprofile = \"ender3\"\n"))
         .expect("written");
     let heard = stderr(&run(dir.path(), &["check", "e.toml"]));
-    assert!(heard.contains("it usually has Marlin: write profile = \"marlin\""), "{heard}");
+    assert!(heard.contains("it usually has Marlin: write profile = \"ender\""), "{heard}");
 }
 
 /// With --quiet only rows and documents are printed.

@@ -155,10 +155,10 @@ fn heaters_have_numbers_and_names() {
     let heating = format!("\nSET_HEATER_TEMPERATURE HEATER=tip TARGET=200\n{wait}");
     assert!(code.contains(&heating));
     for (old, new, finding) in [
-        (wait, "", "heat-without-pause"),
-        ("MINIMUM=198", "MINIMUM=150", "stray-heat"),
-        ("HEATER=tip TARGET=200", "HEATER=bed TARGET=200", "stray-heat"),
-        ("TARGET=200", "TARGET=300", "stray-heat"),
+        (wait, "", "cold-seal"),
+        ("MINIMUM=198", "MINIMUM=150", "cold-seal"),
+        ("HEATER=tip TARGET=200", "HEATER=bed TARGET=200", "cold-seal"),
+        ("TARGET=200", "TARGET=300", "cold-seal"),
         ("TARGET=0", "TARGET=200", "profile-line"),
     ] {
         let findings = findings_with(&build, SEAL, &code.replacen(old, new, 1));

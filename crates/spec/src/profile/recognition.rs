@@ -19,6 +19,7 @@ impl Machine {
             Dialect::GrblHal => "prints \"GrblHAL 1.1f ['$' or '$HELP' for help]\"",
             Dialect::FluidNc => "prints \"Grbl 3.9 [FluidNC v3.9.1 (wifi) '$' for help]\"",
             Dialect::Marlin => "prints \"start\"; answers M115 with \"FIRMWARE_NAME:Marlin\"",
+            Dialect::Bambu => "a Bambu Lab printer",
             Dialect::Klipper => "a page of Mainsail or Fluidd; answers M115 with \"FIRMWARE_NAME:Klipper\"",
             Dialect::RepRapFirmware => {
                 "a page of Duet Web Control; answers M115 with \"FIRMWARE_NAME: RepRapFirmware\""
@@ -28,10 +29,11 @@ impl Machine {
 
     /// Who heats: "hotend", "by hand", or "plates".
     pub fn heater(&self) -> &'static str {
-        match (self.tool, self.controller.heating) {
+        match (self.tool, &self.controller.heating) {
             (SealingTool::Press, _) => "plates",
             (SealingTool::Iron, Heating::Operator) => "by hand",
-            (SealingTool::Iron, Heating::Hotend) => "hotend",
+            (SealingTool::Iron, Heating::Hotend(_)) => "hotend",
+            (SealingTool::Iron, Heating::Heater(_)) => "heater",
         }
     }
 }
@@ -102,7 +104,7 @@ mod tests {
     #[test]
     fn a_machine_is_told_its_profile_or_what_to_try() {
         for (name, part) in [
-            ("Ender-3 V2", "profile = \"marlin\""),
+            ("Ender-3 V2", "profile = \"ender\""),
             ("Mach3", "profile \"generic\""),
             ("UR5e", "seal-dxf"),
             ("Silhouette Cameo 4", "separator-svg"),
