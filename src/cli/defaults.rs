@@ -4,7 +4,7 @@ use std::env;
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
-use crate::cli::load::read_source;
+use crate::cli::source_file::read_source;
 
 /// The text of a new spec with the user's defaults, if there are any.
 pub(super) fn written_into(text: String) -> Result<String, Failure> {

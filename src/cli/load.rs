@@ -8,8 +8,9 @@ use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
 use crate::cli::material::FabricArg;
 use crate::cli::progress;
+use crate::cli::source_file::{SPEC, read_source};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::{SPECIAL, first_bytes, given_bytes, is_special, is_standard_input};
+use crate::cli::whole_file::{SPECIAL, first_bytes, is_special, is_standard_input};
 use crate::cli::words::beyond;
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Planned, Proven, Sources, no_programs, unfit_besides};
@@ -17,12 +18,10 @@ use design::{RefusalCode, Refusals, Warning, drawing_notes};
 use forecast::drawn::{MOST_UNKNOWNS, Watch};
 use proof::artifact::KindRequest;
 use proof::verify::Finding;
-use spec::{Fault, FaultCode, Faults, Machine, ProductKind, Reading, SIZE_LIMIT, Source, key};
+use spec::{Fault, FaultCode, Faults, Machine, ProductKind, Reading, Source, key};
 
 /// The profile's name in a published directory.
 pub(super) const MACHINE: &str = "machine.toml";
-/// The spec's name in a published directory.
-const SPEC: &str = "spec.toml";
 
 /// Nothing but errors is printed.
 const QUIET: Verbosity = Verbosity { verbose: false, quiet: true, json: false };
@@ -213,36 +212,9 @@ pub(super) fn once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(
     }
 }
 
-/// Reads a text file, or standard input for "-", up to the size limit of a spec.
-pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
-    let is_file = !is_standard_input(path);
-    if is_file && path.is_dir() {
-        return Err(Failure::File(path.display().to_string(), is_directory(path)));
-    }
-    let bytes = given_bytes(path, SIZE_LIMIT as u64 + 1).map_err(|error| {
-        if is_file {
-            Failure::file("read", path, &error)
-        } else {
-            Failure::Message(format!("cannot read standard input: {error}"))
-        }
-    })?;
-    let name = if is_file { path.display().to_string() } else { "standard input".to_owned() };
-    Ok(Source::from_bytes(name, &bytes)?)
-}
-
 /// The path of the spec in commands that follow: for standard input that of its copy in the published `directory`.
 pub(super) fn lasting(spec: &Path, directory: &Path) -> PathBuf {
     if is_standard_input(spec) { directory.join(SPEC) } else { spec.to_owned() }
-}
-
-/// A message that `path` is a directory, with the spec in it that may be meant.
-fn is_directory(path: &Path) -> String {
-    let (dir, spec) = (shown(path), path.join(SPEC));
-    if spec.is_file() {
-        format!("{dir} is a directory: name the spec in it, {}", shown(spec))
-    } else {
-        format!("{dir} is a directory, and there is no {SPEC} in it: name a spec")
-    }
 }
 
 /// The file that the spec at `path` names `name`. If it is not there, and the spec is of a published build: the file `published` beside it,

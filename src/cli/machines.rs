@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, say};
-use crate::cli::load::read_source;
+use crate::cli::source_file::read_source;
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
 use program::plan::actual_speed;
 use spec::{Machine, Motion, SealingTool, StepRate};

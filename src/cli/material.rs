@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::cli::defaults;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::load::read_source;
+use crate::cli::source_file::read_source;
 use crate::cli::whole_file::is_standard_input;
 use spec::Source;
 

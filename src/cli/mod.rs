@@ -39,6 +39,7 @@ mod rebuilt;
 mod resume;
 mod schema;
 mod shell;
+mod source_file;
 mod study;
 mod terminal;
 mod text_file;

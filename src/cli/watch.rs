@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
-use crate::cli::load::read_source;
+use crate::cli::source_file::read_source;
 
 /// Interval of checks: fast enough for a user, and no load.
 const PAUSE: Duration = Duration::from_millis(250);

@@ -75,7 +75,7 @@ impl PressGrid {
             .or_else(|| outside("time", &self.times, PRESS_TIMES))
             .or_else(|| {
                 (is_double(temperatures) || is_double(times))
-                    .then(|| "a setting is given twice; --repeats presses a setting more often".to_owned())
+                    .then(|| "a setting is given twice; `repeats` presses a setting more often".to_owned())
             })
     }
 

@@ -52,7 +52,8 @@ impl Forecast {
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
         list.extend(fit_valves(self));
-        list.extend(weak_processes(self));
+        let notes = weak_processes(self).into_iter();
+        list.extend(notes.map(|text| Precaution::new(PrecautionCode::WeakProcess, text)));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);

@@ -1,7 +1,6 @@
 //! Seams of several strengths: whether the weak one opens first.
 
-use crate::pipeline::code::PrecautionCode;
-use crate::pipeline::{Forecast, Precaution};
+use crate::pipeline::Forecast;
 use spec::SealProcess;
 use spec::units::LineForce;
 
@@ -9,7 +8,7 @@ use spec::units::LineForce;
 const WEAK: [&str; 3] = ["weak", "tear", "peel"];
 
 /// The notes on the processes of the seams of `forecast`: which is the weakest, and which should be but is not.
-pub(super) fn weak_processes(forecast: &Forecast) -> Vec<Precaution> {
+pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
     let spec = &forecast.spec;
     let processes = used_processes(forecast);
     if processes.len() < 2 {
@@ -32,7 +31,7 @@ pub(super) fn weak_processes(forecast: &Forecast) -> Vec<Precaution> {
         )),
         _ => {}
     }
-    texts.into_iter().map(|text| Precaution { code: PrecautionCode::WeakProcess, text }).collect()
+    texts
 }
 
 /// The processes by which seams of the design are sealed, each once.
@@ -87,8 +86,7 @@ mod tests {
         );
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
         let forecast = Forecast::of(reading.spec, Machine::builtin("generic").expect("built in"));
-        let notes = weak_processes(&forecast.expect("a design"));
-        notes.into_iter().map(|note| note.text).collect()
+        weak_processes(&forecast.expect("a design"))
     }
 
     #[test]

@@ -38,6 +38,7 @@ mod release_layer;
 mod render;
 mod schema;
 mod seal;
+mod seal_process;
 mod section;
 mod service;
 mod shape;
@@ -63,8 +64,8 @@ pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
-    Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
-    Limits, Machine, Process, Script, SealingTool, SheetPlace,
+    Bench, CONTACT, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights,
+    KeepOut, Limits, Machine, Process, Script, SealingTool, SheetPlace,
 };
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;
@@ -77,14 +78,15 @@ pub use name::{NAME_LENGTH, check_name, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PRESS_TIMES, PaperSize, Press, PressLayer};
 pub use product::ProductKind;
 pub use profile::{
-    CONTACT, LEAST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine, builtin_machine, builtin_machines,
-    limits_set_by, machine_remedy, read_machine, usual_profile,
+    LEAST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine, builtin_machine, builtin_machines, limits_set_by,
+    machine_remedy, read_machine, usual_profile,
 };
 pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
-pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, SealProcess, check_process_name};
+pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, check_process_name};
+pub use seal_process::SealProcess;
 pub use service::{Service, WARMEST, WarmPart, Warming};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

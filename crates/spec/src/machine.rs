@@ -1,5 +1,6 @@
 //! The machine: the settings of one controller, from a profile in `crates/spec/templates/machines/` or the user's own.
 
+use crate::allowed::Allowed;
 use crate::motion::Motion;
 use crate::service::Service;
 use crate::units::{Acceleration, Duration, Length, Speed};
@@ -137,6 +138,14 @@ impl Process {
 /// Lowest height in contact, mm: a spring is pressed in by at most 20 mm, and a rigid tip would be pressed into the bed.
 pub(crate) const fn lowest_contact(spring_loaded: bool) -> f64 {
     if spring_loaded { -20.0 } else { 0.0 }
+}
+
+/// Height in contact: above the release layer the iron seals nothing.
+pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 0.0);
+
+/// Heights are whole micrometres, which every program can state: a program that rounded one would not be at it.
+pub(crate) fn to_micrometres(mm: f64) -> f64 {
+    (mm * 1000.0).round() / 1000.0
 }
 
 /// The work area and the clamps.

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::load::{Loaded, read_source};
+use crate::cli::load::Loaded;
+use crate::cli::source_file::read_source;
 use crate::cli::study::rows::Destination;
 use crate::cli::verbosity::Verbosity;
 use forecast::study::Study;

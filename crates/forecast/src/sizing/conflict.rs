@@ -184,8 +184,9 @@ impl Finder<'_> {
             "an object {width} across is outside the range in which shells were computed: the {end} is about {}",
             sized.requirements.width_in_words()
         )];
-        let nearest =
-            is_near(ratio).then(|| self.grippers(&Requirement::Size.with_value(required, object.0))).flatten();
+        let nearest = is_near(ratio)
+            .then(|| self.grippers(&Requirement::Size.with_value(required, object.0)))
+            .flatten();
         Infeasible { reasons, nearest: nearest.into_iter().collect() }
     }
 }

@@ -49,7 +49,7 @@ pub fn feed_correction(spec: &Spec, machine: &Machine, measured: Duration) -> Fe
         return FeedCorrection::RealSpeed(Speed(CHECK_LENGTH / measured.0));
     };
     let excess_of_stroke = excess / chop.strokes(CHECK_LENGTH);
-    let stroke = Stroke::new(&chop);
+    let stroke = CheckStroke::new(&chop);
     if excess < 0.0 && -excess_of_stroke > stroke.time(chop.acceleration) || excess > nominal {
         return FeedCorrection::Dwell;
     }
@@ -64,12 +64,12 @@ pub fn feed_correction(spec: &Spec, machine: &Machine, measured: Duration) -> Fe
 }
 
 /// One of the equal strokes of a line along X.
-struct Stroke<'c> {
+struct CheckStroke<'c> {
     chop: &'c Chop,
     length: f64,
 }
 
-impl<'c> Stroke<'c> {
+impl<'c> CheckStroke<'c> {
     fn new(chop: &'c Chop) -> Self {
         Self { chop, length: CHECK_LENGTH / chop.strokes(CHECK_LENGTH) }
     }
@@ -115,7 +115,7 @@ mod tests {
         for (profile, right) in [("grbl", 3.0), ("fluidnc", 3.0)] {
             let (spec, machine) = chopped(profile, 0.1);
             let planned = Chop::new(&spec, &machine).expect("chopped");
-            let (strokes, stroke) = (planned.strokes(CHECK_LENGTH), Stroke::new(&planned));
+            let (strokes, stroke) = (planned.strokes(CHECK_LENGTH), CheckStroke::new(&planned));
             let excess = strokes * (stroke.time(right) - stroke.time(planned.acceleration));
             let FeedCorrection::Acceleration(corrected) =
                 feed_correction(&spec, &machine, Duration(100.0 + excess))

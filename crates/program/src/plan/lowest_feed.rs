@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::plan::process_refusal::of_process;
 use crate::plan::program::ProcessSteps;
-use crate::plan::refusals::of_process;
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use design::{Refusal, RefusalCode};

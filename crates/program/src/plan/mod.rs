@@ -13,6 +13,7 @@ mod lowest_feed;
 mod moves;
 mod pace;
 mod pressed;
+mod process_refusal;
 mod process_time;
 mod program;
 mod ramps;

@@ -4,6 +4,7 @@ use crate::plan::Program;
 use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
+use crate::plan::process_refusal::of_process;
 use crate::plan::ramps::too_steep;
 use design::{Refusal, RefusalCode, Refusals};
 use spec::units::{Length, Speed};
@@ -71,21 +72,6 @@ fn clamped_contacts(machine: &Machine, programs: &[Program]) -> Option<Refusal> 
     let remedy = "`start` of the profile must turn the soft endstops off after G28 (M211 S0; RepRapFirmware M564 S0; Bambu M211 X0 Y0 \
                   Z0), or `surface` must be higher";
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::DeepContact, found, remedy))
-}
-
-/// `refusal` of a spec whose `[seal]` is `process`, as one of the process in `spec`.
-pub(super) fn of_process(spec: &Spec, process: &SealProcess, refusal: Refusal) -> Refusal {
-    let place = spec.processes.iter().position(|own| own.name == process.name);
-    let Some(place) = place else { return refusal };
-    let key = match refusal.key {
-        key::seal::SPEED => key::process::SPEED,
-        key => key,
-    };
-    Refusal {
-        key: key.of_process(place),
-        found: format!("process {}: {}", process.name, refusal.found),
-        ..refusal
-    }
 }
 
 /// A longer time without a move than any job has, s: a day.

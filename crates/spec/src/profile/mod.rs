@@ -30,8 +30,6 @@ use crate::{Code, FaultCode};
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
 pub use motion::LEAST_ACCELERATION;
-pub use process::CONTACT;
-pub(crate) use process::to_micrometres;
 pub use recognition::{UNSERVED_MACHINES, UnservedMachine, machine_remedy};
 pub use script::limits_set_by;
 

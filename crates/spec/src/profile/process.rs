@@ -3,15 +3,13 @@
 use crate::FaultCode;
 use crate::allowed::{Allowed, SIZE};
 use crate::fault::Fault;
-use crate::machine::{Bench, Heights, KeepOut, Process, SheetPlace, lowest_contact};
+use crate::machine::{Bench, CONTACT, Heights, KeepOut, Process, SheetPlace, lowest_contact, to_micrometres};
 use crate::profile::controller::PLACE;
 use crate::profile::known::{known_as, quantity_or_unknown};
 use crate::section::{Reader, Section};
 use crate::units::{Length, Speed};
 use crate::value::RawValue;
 
-/// Height in contact: above the release layer the iron seals nothing.
-pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 0.0);
 /// Heights without contact: above the release layer, below any gantry.
 pub(super) const HEIGHT: Allowed = Allowed::half_open(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
@@ -33,11 +31,6 @@ pub(super) fn read_process(
     let trace_speed = speeds.quantity("trace", FAST).unwrap_or(Speed(20.0));
     let spring_loaded = spring_loaded.unwrap_or(heights.contact.0 < 0.0);
     Process { spring_loaded, heights, ramp, travel_speed, trace_speed }
-}
-
-/// Heights are whole micrometres, which every program can state: a program that rounded one would not be at it.
-pub(crate) fn to_micrometres(mm: f64) -> f64 {
-    (mm * 1000.0).round() / 1000.0
 }
 
 fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights {
