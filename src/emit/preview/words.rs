@@ -176,8 +176,8 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     let names = band_processes(preview, sheet);
     for name in &names {
         let ink = band_ink(preview.spec, name);
-        let process = if names.len() > 1 { format!(", process {name}") } else { String::new() };
-        block.explain(Swatch::Line(Pen::new(ink, 0.5 * style.unit)), format!("sealed band{process}"));
+        let text = if names.len() > 1 { format!("band of process {name}") } else { "sealed band".to_owned() };
+        block.explain(Swatch::Line(Pen::new(ink, 0.5 * style.unit)), text);
     }
     let mut seams =
         preview.programs.iter().filter(|program| program.sheet == sheet).flat_map(|program| &program.seams);

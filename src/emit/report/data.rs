@@ -69,7 +69,9 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "programs": programs(report),
         "charts": report.charts.iter().map(|charts| short(&json!(charts))).collect::<Vec<_>>(),
     });
-    data["processes"] = processes(report);
+    if let Some(figures) = data.as_object_mut() {
+        figures.extend(processes(report));
+    }
     // Only a drawing's page has these.
     if design.drawn().is_some() {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
@@ -83,8 +85,8 @@ pub(super) fn data(report: &Report<'_>) -> Value {
     data
 }
 
-/// The processes in the order of sealing; null where every seam is sealed once by that of [seal].
-fn processes(report: &Report<'_>) -> Value {
+/// The processes in the order of sealing; none where every seam is sealed once by that of [seal].
+fn processes(report: &Report<'_>) -> Option<(String, Value)> {
     let processes: Vec<Value> = process_times(report.programs)
         .into_iter()
         .map(|time| {
@@ -94,7 +96,7 @@ fn processes(report: &Report<'_>) -> Value {
             })
         })
         .collect();
-    if processes.is_empty() { Value::Null } else { json!(processes) }
+    (!processes.is_empty()).then(|| ("processes".to_owned(), json!(processes)))
 }
 
 /// The distinct stars.
