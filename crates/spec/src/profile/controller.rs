@@ -3,9 +3,8 @@
 use crate::FaultCode;
 use crate::allowed::Allowed;
 use crate::fault::quoted;
-use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, SheetPlace};
+use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, SheetPlace, to_micrometres};
 use crate::profile::modes::{check_arcs, check_dwell_unit, check_heating};
-use crate::profile::process::to_micrometres;
 use crate::section::Section;
 use crate::units::{Duration, Length};
 
