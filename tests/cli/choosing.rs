@@ -229,7 +229,6 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
         ("--pressure", "30 kPa"),
         ("--friction", "0.3"),
         ("--fragile", "20 N"),
-        ("--fabric", "paper"),
         ("--machine", "grbl"),
         ("--sheet", "A4"),
     ] {
