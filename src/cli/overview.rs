@@ -160,8 +160,19 @@ fn work(forecast: &Forecast, start: Option<&Zoned>) -> Vec<OverviewRow> {
     let speed = if processes.is_some() { String::new() } else { format!(" at {}", forecast.spec.seal.speed) };
     let mut rows = vec![("sealing", format!("{}{speed}{}", hours(seconds), end.unwrap_or_default()))];
     rows.extend(processes.map(|processes| ("processes", processes)));
+    rows.extend(cutting(forecast));
     rows.push((if number == 1 { "sheet" } else { "sheets" }, sheets));
     rows
+}
+
+/// Length and time of the cut on the machine.
+fn cutting(forecast: &Forecast) -> Option<OverviewRow> {
+    let process = forecast.spec.cut.program?;
+    let seconds: f64 = forecast.cuts.iter().map(|program| program.time).sum();
+    let cuts = forecast.cuts.iter().flat_map(|program| &program.seams);
+    let length: f64 = cuts.map(|cut| cut.length).sum();
+    let (tool, speed) = (process.tool.in_words(), process.speed);
+    Some(("cutting", format!("{} mm in {} at {speed}, with a {tool}", rounded(length), hours(seconds))))
 }
 
 /// The settings of a press, its sheets of fabric, and the paper for separators.
@@ -202,6 +213,9 @@ fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
+    let cut = named(proven, Kind::CutGcode);
+    let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more(&cut)));
+    rows.extend(run_cut.map(|run_cut| ("cut", run_cut)));
     let plan = named(proven, Kind::PressPlan).into_iter().next();
     rows.extend(plan.map(|plan| ("print", format!("{plan}: the instructions for the press"))));
     rows
@@ -274,12 +288,12 @@ pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
 fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
-    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
+    let programs = [Kind::TraceGcode, Kind::SealGcode, Kind::CutGcode].map(|kind| named(proven, kind));
     json!({
         "directory": target.to_string_lossy(),
         "files": files,
         "look_at": to_look_at(proven),
-        "run": traces.into_iter().chain(seals).collect::<Vec<_>>(),
+        "run": programs.concat(),
     })
 }
 

@@ -14,9 +14,9 @@ use sealed::{PieceName, SeamName};
 use spec::{MaskKind, Spec};
 
 pub use proof::manifest::{
-    CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest, ManifestFile,
-    ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts, ManifestPrediction, ManifestSeam,
-    ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool, sha256,
+    CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest, ManifestCut,
+    ManifestFile, ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts, ManifestPrediction,
+    ManifestSeam, ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool, sha256,
 };
 
 /// The manifest of `design`, with `spec`, the sealing `programs` and the `prediction` at the pressure of `[load]`; its list of files is
@@ -52,10 +52,21 @@ pub fn manifest_of(
         mass_g: mass.sum::<Option<f64>>().map(thousandths),
         pieces,
         stars,
+        cuts: Vec::new(),
         prediction: at_pressure.map(predicted::summary),
         only: Vec::new(),
         with: Vec::new(),
     }
+}
+
+/// The figures of the `programs` that cut the sheets.
+pub fn cuts_of(programs: &[Program]) -> Vec<ManifestCut> {
+    let cut = |program: &Program| ManifestCut {
+        sheet: program.sheet,
+        length_mm: thousandths(program.seams.iter().map(|cut| cut.length).sum()),
+        time_s: thousandths(program.time),
+    };
+    programs.iter().map(cut).collect()
 }
 
 /// The stars of `assembly`, which the sealing `programs` make, bottom to top.

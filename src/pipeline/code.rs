@@ -6,6 +6,7 @@ codes! {
     /// The subject of a precaution.
     PrecautionCode {
         ChoppedSeal "chopped-seal" "The seal's speed is an average of strokes and dwells; time the program of `feedcheck`.",
+        CutSheet "cut-sheet" "What to do between the seal and the cut of the sheet; see the message.",
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
         FitValve "fit-valve" "The flange of a valve is sealed to one sheet before the sheets are sealed; see the message.",
         GenericMachine "generic-machine" "The profile has no data on the machine; name your profile, or time the program of `feedcheck`.",

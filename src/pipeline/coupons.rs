@@ -11,7 +11,9 @@ use design::{Refusal, Refusals};
 use geom::Path;
 use proof::artifact::{Artifact, Kind, Output, program_ending};
 use proof::verify;
-use proof::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
+use proof::verify::{
+    FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, ProgramWork, Proof,
+};
 use spec::units::{Duration, Length, Speed, Temperature};
 use spec::{Machine, Spec};
 
@@ -291,7 +293,7 @@ fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
     ProgramTask {
         spec,
         machine,
-        hot: true,
+        work: ProgramWork::Seal,
         scope: format!("piece={name}"),
         seams: coupon.seams(),
         job: coupon.job(),

@@ -1,7 +1,7 @@
 //! Makes the files of a forecast gripper: one match arm for every subject and format.
 
 use crate::emit;
-use crate::manifest::{Manifest, ManifestFile, manifest_of};
+use crate::manifest::{Manifest, ManifestFile, cuts_of, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
 use design::PressPlan;
 use forecast::charts::charts;
@@ -38,7 +38,7 @@ impl Forecast {
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
         let KindRequest { only, with } = request.clone();
         let bill = manifest_of(&self.spec, &self.design, &self.programs, self.prediction.as_ref());
-        Manifest { files, only, with, ..bill }
+        Manifest { files, only, with, cuts: cuts_of(&self.cuts), ..bill }
     }
 }
 
@@ -59,6 +59,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Preview => return preview(forecast, sources, output),
         Subject::Report => report(forecast, sources)?,
         Subject::Trace => program(forecast, &forecast.traces, output)?,
+        Subject::Cut => cut(forecast, output)?,
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
         }
@@ -147,6 +148,13 @@ fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option
     };
     let program = programs.iter().find(is_for)?;
     Some(emit::gcode(&forecast.spec, &forecast.machine, program))
+}
+
+/// The program that cuts the output's sheet.
+fn cut(forecast: &Forecast, output: &Output) -> Option<String> {
+    let cut_spec = forecast.spec.cut_by(&forecast.spec.cut.program?);
+    let program = forecast.cuts.iter().find(|program| Some(program.sheet) == output.part.sheet())?;
+    Some(emit::gcode(&cut_spec, &forecast.machine, program))
 }
 
 fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {

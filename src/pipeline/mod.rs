@@ -53,6 +53,8 @@ pub struct Forecast {
     pub programs: Vec<Program>,
     /// The trace programs.
     pub traces: Vec<Program>,
+    /// The programs that cut the sheets after the seal.
+    pub cuts: Vec<Program>,
     /// The prediction of its stars; `None` if the spec has no load.
     pub prediction: Option<Prediction>,
     /// The prediction of a drawn piece; `None` if the spec has no load.
@@ -96,14 +98,14 @@ impl Planned {
     /// # Errors
     /// If the model that the spec requests has no answer, or if the shell computation was cancelled.
     pub fn forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
-        let Self { spec, machine, design, programs, traces } = self;
+        let Self { spec, machine, design, programs, traces, cuts } = self;
         let loaded_stars = design.assembly().filter(|_| spec.load.is_some());
         let prediction = loaded_stars.map(|_| predict(&spec, &design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
         let loaded_pieces = design.drawn().filter(|_| spec.load.is_some());
         let drawn_forecast = loaded_pieces.map(|pieces| of_spec(&spec, pieces, watch)).transpose();
         let drawn_forecast = drawn_forecast.map_err(|fault| no_prediction(&fault))?;
-        Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn: drawn_forecast })
+        Ok(Forecast { spec, machine, design, programs, traces, cuts, prediction, drawn: drawn_forecast })
     }
 }
 

@@ -21,6 +21,8 @@ pub struct Planned {
     pub programs: Vec<Program>,
     /// The trace programs.
     pub traces: Vec<Program>,
+    /// The programs that cut the sheets after the seal.
+    pub cuts: Vec<Program>,
 }
 
 /// The programs of `design`, in which the inlet is the only opening for air.
@@ -36,7 +38,9 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     let traces = plan::trace_programs(&spec, &machine, &design);
     let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
     refusals.extend(plan::pressed_beyond(&spec, &machine, &design));
-    refusals.or(Planned { spec, machine, design, programs, traces })
+    let cuts = plan::cut_programs(&spec, &machine, &design);
+    refusals.extend(plan::cut_refusals(&spec, &machine, &design, &programs, &cuts));
+    refusals.or(Planned { spec, machine, design, programs, traces, cuts })
 }
 
 /// A design that a press seals without programs.
@@ -52,7 +56,7 @@ fn pressed(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refu
         Refusal::new(key::machine::PROFILE, RefusalCode::NoPress, found, remedy)
     });
     let refusals: Refusals = refusal.into_iter().collect();
-    refusals.or(Planned { spec, machine, design, programs: Vec::new(), traces: Vec::new() })
+    refusals.or(Planned { spec, machine, design, programs: Vec::new(), traces: Vec::new(), cuts: Vec::new() })
 }
 
 /// The refusal of `subject`, which is made of programs, for a press that runs none; `None` for a machine with an iron.

@@ -10,7 +10,7 @@ use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
 use program::plan::{Pace, Program};
 use spec::units::{Readable, Speed};
-use spec::{Machine, SealingTool};
+use spec::{CutTool, Machine, SealingTool};
 
 /// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
 /// or more, which gives about 5 mm/s.
@@ -54,6 +54,7 @@ impl Forecast {
         list.extend(fit_valves(self));
         let notes = weak_processes(self).into_iter();
         list.extend(notes.map(|text| Precaution::new(PrecautionCode::WeakProcess, text)));
+        list.extend(cut_sheet(self));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);
@@ -198,6 +199,21 @@ fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
     );
     let mut shapes = forecast.design.placed().iter().map(|placed| forecast.design.part(placed).shape());
     shapes.any(|shape| !shape.valves.is_empty()).then(|| Precaution::new(PrecautionCode::FitValve, text))
+}
+
+/// The tasks before the cut of the sheet, and its length and time.
+fn cut_sheet(forecast: &Forecast) -> Option<Precaution> {
+    let process = forecast.spec.cut.program.filter(|_| !forecast.cuts.is_empty())?;
+    let fumes = match process.tool {
+        CutTool::HotTip { .. } => "; hot fabric gives off fumes, so draw them off",
+        CutTool::DragKnife { .. } => "",
+    };
+    let (tool, height) = (process.tool.in_words(), Readable(-process.height.0));
+    let text = format!(
+        "before the cut take the release layer off, leave the sheet clamped, and put the {tool} in at the same X, Y and Z0: it goes \
+         {height} mm below Z0, so what lies under the fabric must bear that{fumes}"
+    );
+    Some(Precaution::new(PrecautionCode::CutSheet, text))
 }
 
 /// The warning that the strength of the seal is unknown.

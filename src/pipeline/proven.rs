@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, manifest_of, sha256};
+use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, cuts_of, manifest_of, sha256};
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
@@ -262,8 +262,9 @@ fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding
 }
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
-    let Forecast { spec, machine, design, programs, prediction, drawn: drawn_forecast, .. } = forecast;
-    let manifest = &manifest_of(spec, design, programs, prediction.as_ref());
+    let Forecast { spec, machine, design, programs, cuts, prediction, drawn: drawn_forecast, .. } = forecast;
+    let bill = manifest_of(spec, design, programs, prediction.as_ref());
+    let manifest = &Manifest { cuts: cuts_of(cuts), ..bill };
     let drawn_json = drawn_forecast.as_ref().map(|drawn_forecast| drawn_forecast.prediction.to_json());
     let prediction = drawn_json.or_else(|| Some(prediction.as_ref()?.to_json()));
     let expected = Expected { design, spec, machine, prediction: prediction.as_deref(), manifest };

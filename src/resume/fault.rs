@@ -13,6 +13,8 @@ pub enum ResumeFault {
     NotOurs(&'static str),
     /// It is a trace program.
     Trace,
+    /// It is a program that cuts.
+    Cut,
     /// The program is damaged.
     Damaged(Finding),
     /// The moves do not agree with the comments, or the comments state no valid seal.
@@ -40,6 +42,9 @@ impl fmt::Display for ResumeFault {
             ),
             Self::Trace => f.write_str(
                 "a trace program seals nothing: run it again from its start, or resume the sealing program",
+            ),
+            Self::Cut => f.write_str(
+                "a cutting program is not resumed: run it again, the tool goes along cuts that are there already",
             ),
             Self::Damaged(finding) => {
                 write!(f, "the file is damaged, take it from the published directory again: {finding}")

@@ -65,6 +65,7 @@ impl Record {
         match header.word("program", "purpose") {
             Some("seal") => {}
             Some("trace") => return Err(ResumeFault::Trace),
+            Some("cut") => return Err(ResumeFault::Cut),
             _ => return Err(ResumeFault::NotOurs("program: purpose=seal")),
         }
         let motion = header.motion()?;

@@ -4,6 +4,7 @@ mod agree;
 mod assembly;
 mod build;
 mod corrupted;
+mod cuts;
 mod drawn;
 mod edits;
 mod forged;

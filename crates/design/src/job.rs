@@ -4,8 +4,9 @@
 //! one temperature follow each other, the coolest first, because an iron heats up sooner than it cools down; among those the order is
 //! that of the pieces. Passes of open seams go there and back, those of closed ones always the same way.
 
-use crate::{Design, PlacedPart, SeamLines};
-use sealed::{LaidSeam, PlacedPiece, Seam};
+use crate::{CutEdge, Design, Drawing, Layer, PlacedPart, SeamLines};
+use geom::{Isometry, Path, Segment};
+use sealed::{LaidSeam, PieceName, PlacedPiece, Seam};
 use spec::units::{Duration, Temperature};
 use spec::{SealPause, SealProcess, Spec};
 
@@ -29,6 +30,23 @@ pub struct SealStop {
     pub pauses: bool,
     /// The temperature to which the iron is heated.
     pub heat: Option<Temperature>,
+}
+
+/// Path that is cut twice where a cut meets its start, mm: less may leave a thread where the tool came down.
+const CUT_OVERLAP: f64 = 1.0;
+
+/// The arc length at the middle of the longest straight piece of `path`, mm; of its longest piece where none is straight.
+fn calm_place(path: &Path) -> f64 {
+    let (mut best, mut place, mut start) = ((false, 0.0), 0.0, 0.0);
+    for segment in &path.segments {
+        let (is_line, length) = (matches!(segment, Segment::Line(_)), segment.length());
+        // Rounding must not decide between pieces that are equally long.
+        if (is_line && !best.0) || (is_line == best.0 && length > best.1 + 1e-6) {
+            (best, place) = ((is_line, length), start + 0.5 * length);
+        }
+        start += length;
+    }
+    place
 }
 
 /// The contacts of one program.
@@ -62,6 +80,44 @@ impl SealJob {
                 let lines =
                     SeamLines::new(seam, &process).map_or_else(|_| vec![seam.clone()], |seam| seam.lines);
                 job.add(process, &lines, piece, ramp);
+            }
+        }
+        job
+    }
+
+    /// The job that cuts sheet number `sheet` of `design` as its drawings for cutting machines have it: registration holes, then holes, then
+    /// outlines, each along the tool's way. `spec` has the cut in the place of its seal ([`Spec::cut_by`]). Valves are cut out of one sheet
+    /// of fabric before, and labels are not cut.
+    ///
+    /// A cut begins in the middle of its longest straight piece, away from corners, with its way down along itself.
+    pub fn of_cuts(spec: &Spec, design: &Design, sheet: usize, ramp: f64) -> Self {
+        let mut job = Self { processes: vec![spec.default_process()], contacts: Vec::new() };
+        let layers =
+            Drawing::outlines(design, sheet, CutEdge::Tool).map_or_else(Vec::new, |drawing| drawing.layers);
+        for (layer, shapes) in &layers {
+            let is_cut = match layer {
+                Layer::Registration | Layer::CutHole | Layer::CutOutside => true,
+                Layer::Label
+                | Layer::Seal
+                | Layer::SealInner
+                | Layer::SealOuter
+                | Layer::CutValve
+                | Layer::MaskWindow
+                | Layer::MaskPlate
+                | Layer::SeparatorWindow
+                | Layer::SeparatorEdge
+                | Layer::MaskJoint
+                | Layer::PostHole
+                | Layer::FrameOpening
+                | Layer::FrameEdge
+                | Layer::PaperMark => false,
+            };
+            let paths = shapes.iter().filter(|_| is_cut).flat_map(|shape| shape.paths().into_owned());
+            for (path, number) in paths.zip(1..) {
+                let seam = Seam { overlap: CUT_OVERLAP, ..Seam::weld(path.starting_at(calm_place(&path))) };
+                let name = PieceName::Named(format!("{}-{number}", layer.name()));
+                let laid = LaidSeam::new(&name, &seam, Isometry::IDENTITY, ramp);
+                job.contacts.push(Contact { laid, process: 0, line: 1, pass: 1 });
             }
         }
         job
@@ -110,7 +166,8 @@ impl SealJob {
         let contact = &self.contacts[index];
         let temperature = self.process(contact).seal.temperature;
         let Some(last) = index.checked_sub(1).map(|last| &self.contacts[last]) else {
-            return SealStop { pauses: false, heat: Some(temperature) };
+            // A tool of 0 C is cold.
+            return SealStop { pauses: false, heat: Some(temperature).filter(|heat| heat.0 > 0.0) };
         };
         let last_seal = &self.process(last).seal;
         let pauses = match last_seal.pause {

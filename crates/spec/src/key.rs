@@ -131,7 +131,10 @@ keys! {
         PLATE_THICKNESS "plate_thickness", CLEARANCE "clearance", POST_DIAMETER "post_diameter", POSTS "posts",
         KERF "kerf",
     }
-    cut "cut" { KERF "kerf", COLOURS "colours" }
+    cut "cut" {
+        KERF "kerf", COLOURS "colours", TOOL "tool", TEMPERATURE "temperature", SPEED "speed", HEIGHT "height",
+        BLADE_OFFSET "blade_offset",
+    }
     sheet "sheet" {
         WIDTH "width", HEIGHT "height", COPIES "copies", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }

@@ -15,6 +15,7 @@ mod accuracy;
 mod allowed;
 mod choice;
 mod code;
+mod cut;
 mod defaults;
 mod drawing;
 pub mod edit;
@@ -58,6 +59,7 @@ pub const PROGRAM: &str = "stargrip-cam";
 pub use accuracy::{Accuracy, Detail, ModelChoice};
 pub use allowed::{Allowed, SEAL_SPEEDS};
 pub use code::{Code, FaultCode};
+pub use cut::{CutProcess, CutSpec, CutTool};
 pub use defaults::with_defaults;
 pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
 pub use fault::{DrawnPlace, Fault, Severity, shortened};
@@ -70,8 +72,8 @@ pub use machine::{
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;
 pub use model::{
-    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    MaskKind, ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
+    Bed, BuildSpec, Colours, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask, MaskKind,
+    ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};

@@ -1,6 +1,7 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
 use crate::accuracy::Accuracy;
+use crate::cut::CutSpec;
 use crate::press::Press;
 use crate::product::ProductKind;
 use crate::seal::DEFAULT_PROCESS;
@@ -231,15 +232,6 @@ pub struct FrameSpec {
     pub posts: u32,
     /// Width of the cut; default: the kerf of `[cut]`.
     pub kerf: Length,
-}
-
-/// The cutting method of masks, outlines and frames.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CutSpec {
-    /// Width of the cut.
-    pub kerf: Length,
-    /// The meaning of a drawing's colours: layer and order of the cuts.
-    pub colours: Colours,
 }
 
 /// Colours of cutting drawings, by which laser programs tell what to do with a line.

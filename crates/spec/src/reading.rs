@@ -5,12 +5,13 @@
 
 use crate::accuracy::{Accuracy, ModelChoice};
 use crate::allowed::{Allowed, EXTRA, SIZE};
+use crate::cut::read_cut;
 use crate::fault::{Fault, quoted};
 use crate::faults::Faults;
 use crate::foreign::{self, Document};
 use crate::model::{
-    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind,
-    ProgramScope, Sheet, Spec,
+    Bed, BuildSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind, ProgramScope, Sheet,
+    Spec,
 };
 use crate::raw::RawSpec;
 use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength, refuse_processes};
@@ -226,15 +227,6 @@ fn read_frame(s: &mut Section<'_, '_>, kerf: Length) -> FrameSpec {
         post_diameter: s.length("post_diameter", SIZE, 6.0),
         posts: s.count("posts", FEWEST_POSTS, 64).unwrap_or(4),
         kerf: s.quantity("kerf", EXTRA).unwrap_or(kerf),
-    }
-}
-
-fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
-    CutSpec {
-        kerf: s.length("kerf", EXTRA, 0.0),
-        colours: s
-            .choice("colours", &[("one", Colours::One), ("ordered", Colours::Ordered)])
-            .unwrap_or(Colours::One),
     }
 }
 

@@ -13,6 +13,7 @@ FileKind = Literal[
     "drawing-dxf",
     "seal-gcode",
     "trace-gcode",
+    "cut-gcode",
     "seal-svg",
     "seal-dxf",
     "outline-svg",

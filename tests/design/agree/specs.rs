@@ -250,6 +250,19 @@ fn frame(dice: &mut Dice, w: f64) -> String {
     let widest = if dice.chance(0.2) { 3.0 } else { 0.4 };
     s.maybe(dice, 0.3, "kerf", |dice| mm(dice.uniform(0.0, widest)));
     s.maybe(dice, 0.3, "colours", |_| "\"ordered\"".to_owned());
+    if dice.chance(0.2) {
+        let is_hot = dice.chance(0.5);
+        let (tool, key, value) = if is_hot {
+            ("hot-tip", "temperature", format!("\"{} C\"", dice.uniform(100.0, 500.0)))
+        } else {
+            ("drag-knife", "blade_offset", mm(dice.uniform(0.0, 1.0)))
+        };
+        let (speed, depth) = (dice.decades(1.0, 50.0), dice.uniform(0.2, 3.0));
+        let _ = writeln!(
+            s.text,
+            "tool = {tool:?}\n{key} = {value}\nspeed = \"{speed} mm/s\"\nheight = \"-{depth} mm\""
+        );
+    }
     s.text
 }
 

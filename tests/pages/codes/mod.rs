@@ -38,6 +38,7 @@ const WITHOUT: &[&str] = &[
     "seam-of-two-processes",
     "seams-cross",
     "stars-overlap",
+    "tight-cut",
     "wrong-opening",
     "leaves-plane",
     "weak-process",

@@ -67,6 +67,14 @@ const DESIGNS: &[(&str, &str)] = &[
         "post-meets-hose",
         "[stack]\ncount = 2\nrotation = \"20 deg\"\n[frame]\nposts = 64\npost_diameter = \"10 mm\"\n",
     ),
+    (
+        "shallow-cut",
+        "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"0 mm\"\n",
+    ),
+    (
+        "cut-sheet",
+        "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n",
+    ),
     ("sheet-too-small", "[sheet]\nwidth = \"100 mm\"\nheight = \"400 mm\"\n"),
     ("short-inlet", "[inlet]\nlength = \"2 mm\"\n"),
     ("small-bed", "[mask]\nbed = \"50 mm x 50 mm\"\n"),

@@ -2,15 +2,16 @@
 
 use crate::gcode::writer::{Facts, Writer};
 use crate::number::number;
-use crate::plan::{Pace, PacedProcess, Program, Purpose, SeamReport, Stepper};
+use crate::plan::{Pace, PacedProcess, PauseReason, Program, Purpose, SeamReport, Step, Stepper};
 use sealed::scope;
-use spec::{DwellUnit, Machine};
+use spec::{CutTool, DwellUnit, Machine};
 
 /// Writes the header of `program`.
 pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
     let purpose = match program.purpose {
         Purpose::Seal => "seal",
         Purpose::Trace => "trace",
+        Purpose::Cut => "cut",
     };
     writer.comment(&format!("stargrip-cam {purpose} program"));
     writer.comment(&format!("name: {}", writer.facts.name));
@@ -23,22 +24,31 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
     } else {
         "frame: coordinates of the machine after homing, the sheet lies at place"
     });
-    if program.purpose == Purpose::Seal {
-        job_facts(writer);
-        conditions(writer, machine, program);
-        if !program.is_plain() {
-            processes(writer, machine, program);
+    match program.purpose {
+        Purpose::Seal => {
+            seal_facts(writer);
+            machine_facts(writer);
+            conditions(writer, machine, program);
+            if !program.is_plain() {
+                processes(writer, machine, program);
+            }
         }
+        Purpose::Cut => {
+            cut_facts(writer, program);
+            machine_facts(writer);
+            conditions(writer, machine, program);
+        }
+        Purpose::Trace => {}
     }
     for (seam, i) in program.seams.iter().zip(1..) {
-        writer.comment(&seam_facts("length", i, seam));
+        writer.comment(&contact_facts(program.purpose, "length", i, seam));
         if !program.is_plain() {
             let process = &program.processes[seam.process].process.name;
             let (line, pass) = (seam.line, seam.pass);
             writer.comment(&format!("sealing: seam={i} process={process} line={line} pass={pass}"));
         }
     }
-    if program.purpose == Purpose::Seal {
+    if program.purpose != Purpose::Trace {
         let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
         writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time));
     } else {
@@ -47,12 +57,42 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
     }
 }
 
-/// The data that a new program for the rest of the job needs.
-fn job_facts(writer: &mut Writer<'_>) {
-    let Facts { seal, controller, process, path, .. } = writer.facts;
+/// The seal, which a new program for the rest of the job needs.
+fn seal_facts(writer: &mut Writer<'_>) {
+    let seal = writer.facts.seal;
     let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
     let (w, o) = (number(seal.band.0), number(seal.overlap.0));
     writer.facts(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+}
+
+/// The tool of a program that cuts, and its settings.
+fn cut_facts(writer: &mut Writer<'_>, program: &Program) {
+    let Facts { seal, process, .. } = writer.facts;
+    let (v, z) = (number(seal.speed.0), number(seal.contact(process).0));
+    writer.facts(&format!("cutting: speed_mm_s={v} height_mm={z}"));
+    let tool = program.steps.iter().find_map(|step| match step {
+        Step::Pause(PauseReason::Tool(tool)) => Some(*tool),
+        _ => None,
+    });
+    if let Some(tool) = tool {
+        writer.facts(&format!("cutting: {}", tool_facts(tool)));
+    }
+}
+
+/// A tool as words of a structured comment: "tool=drag-knife blade_offset_mm=0.25".
+pub(super) fn tool_facts(tool: CutTool) -> String {
+    let word = tool.word();
+    match tool {
+        CutTool::HotTip { temperature } => format!("tool={word} temperature_C={}", number(temperature.0)),
+        CutTool::DragKnife { blade_offset } => {
+            format!("tool={word} blade_offset_mm={}", number(blade_offset.0))
+        }
+    }
+}
+
+/// The machine, which a new program for the rest of the job needs.
+fn machine_facts(writer: &mut Writer<'_>) {
+    let Facts { controller, process, path, .. } = writer.facts;
     let heating = controller.heating.name().replace(' ', "-");
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     let arcs = if controller.arcs { "yes" } else { "no" };
@@ -133,8 +173,12 @@ fn sheet_and_pieces(program: &Program) -> String {
     if is_numbered { format!("sheet={} {pieces}", program.sheet) } else { pieces }
 }
 
-/// The structured comment about one seam.
-pub(super) fn seam_facts(key: &str, index: usize, seam: &SeamReport) -> String {
-    let SeamReport { name, length, time, .. } = seam;
-    format!("{key}: seam={index} {} length_mm={length:.3} time_s={time:.0}", name.facts())
+/// The structured comment about one contact of a program.
+pub(super) fn contact_facts(purpose: Purpose, key: &str, index: usize, contact: &SeamReport) -> String {
+    let SeamReport { name, length, time, .. } = contact;
+    let (word, name) = match purpose {
+        Purpose::Seal | Purpose::Trace => ("seam", name.facts()),
+        Purpose::Cut => ("cut", format!("edge={}", name.piece.word())),
+    };
+    format!("{key}: {word}={index} {name} length_mm={length:.3} time_s={time:.0}")
 }

@@ -15,10 +15,10 @@ mod thumbnail;
 mod writer;
 
 use crate::gcode::dialect::Spelling;
-use crate::gcode::header::{header, seam_facts};
+use crate::gcode::header::{contact_facts, header, tool_facts};
 use crate::gcode::writer::Writer;
 use crate::number::{Decimals, number};
-use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
+use crate::plan::{Clock, Pace, Pacer, PauseReason, Program, Purpose, Step, height_of};
 use geom::{Point, Segment};
 use spec::units::{Duration, Readable, Temperature};
 use spec::{Dialect, Heating, Machine, Spec};
@@ -45,7 +45,7 @@ pub fn gcode(spec: &Spec, machine: &Machine, program: &Program, thumbnails: &[Th
         job.writer.line(line);
     }
     let estimate = job.writer.spelling.estimate(program.time);
-    if let Some(estimate) = estimate.filter(|_| program.purpose == Purpose::Seal) {
+    if let Some(estimate) = estimate.filter(|_| program.purpose != Purpose::Trace) {
         job.writer.comment(&estimate);
     }
     job.writer.finished()
@@ -109,7 +109,7 @@ impl<'a> Job<'a> {
                 self.writer.height(height_of(process, *level));
             }
             Step::Heat(temperature) => self.heat(*temperature),
-            Step::Pause(next) => self.pause(*next),
+            Step::Pause(reason) => self.pause(*reason),
             Step::Cool(wait) => self.cool(*wait),
             Step::Travel(to) => {
                 if let Some(run) = &mut self.whole {
@@ -124,8 +124,12 @@ impl<'a> Job<'a> {
                     self.first =
                         whole.program.pacer(whole.program.seams.get(*i).map_or(0, |seam| seam.process));
                 }
-                if let Some(seam) = self.whole.as_ref().and_then(|whole| whole.program.seams.get(*i)) {
-                    self.writer.comment(&seam_facts("seam", i + 1, seam));
+                let program = self.whole.as_ref().map(|whole| whole.program);
+                if let Some((program, contact)) =
+                    program.and_then(|program| Some((program, program.seams.get(*i)?)))
+                {
+                    let key = if program.purpose == Purpose::Cut { "cut" } else { "seam" };
+                    self.writer.comment(&contact_facts(program.purpose, key, i + 1, contact));
                 }
             }
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
@@ -181,10 +185,20 @@ impl<'a> Job<'a> {
         self.writer.line(&format!("TEMPERATURE_WAIT SENSOR=\"heater_generic {name}\" MINIMUM={least}{most}"));
     }
 
-    /// A pause before the contact at place `next`.
-    fn pause(&mut self, next: usize) {
-        self.writer.comment(&format!("pause: before={}", next + 1));
-        self.writer.comment("look at the last seam, press start");
+    /// A pause for the operator.
+    fn pause(&mut self, reason: PauseReason) {
+        match reason {
+            PauseReason::Look(next) => {
+                self.writer.comment(&format!("pause: before={}", next + 1));
+                self.writer.comment("look at the last seam, press start");
+            }
+            PauseReason::Tool(tool) => {
+                self.writer.comment(&format!("tool: {}", tool_facts(tool)));
+                self.writer.comment("take the release layer off, keep the sheet where it is");
+                let tool = tool.in_words();
+                self.writer.comment(&format!("the {tool} in, X Y as before, its tip at Z0, press start"));
+            }
+        }
         if let Some(run) = &self.whole {
             self.writer.line(&run.machine.script.pause);
         }

@@ -96,6 +96,7 @@ fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
     let followed = |piece: &Segment| match program.purpose {
         Purpose::Seal => way("the seal", *piece, reach, true),
         Purpose::Trace => way("the trace", *piece, 0.0, false),
+        Purpose::Cut => way("the cut", *piece, reach, true),
     };
     let mut ways: Vec<Way<'_>> = contact_pieces(&program.steps).map(|(piece, _)| followed(piece)).collect();
     let mut position = Point::ORIGIN;

@@ -4,7 +4,9 @@
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
 //! that, and also how long a single move is; the emitters only round and write.
 
+mod blade;
 mod chop;
+mod cut;
 mod feed_correction;
 mod feedcheck;
 mod job_size;
@@ -28,6 +30,7 @@ mod whole_rates;
 mod written;
 
 pub use chop::{Chop, move_time, stepper};
+pub use cut::{cut_programs, cut_refusals};
 pub use feed_correction::{FeedCorrection, STOPWATCH, feed_correction};
 pub use feedcheck::{CHECK_LENGTH, feed_check_refusals, feed_checks};
 pub use job_size::too_many_moves;
@@ -37,7 +40,7 @@ pub use moves::{LONGEST_MOVE, moves};
 pub use pace::{Pace, Pacer, Stroke};
 pub use pressed::pressed_beyond;
 pub use process_time::{ProcessTime, process_times};
-pub use program::{Height, PacedProcess, Program, Purpose, Ramp, SeamList, SeamReport, Step};
+pub use program::{Height, PacedProcess, PauseReason, Program, Purpose, Ramp, SeamList, SeamReport, Step};
 pub use reach::beyond;
 pub use refusals::refusals;
 pub use seal::{seal_program, seal_programs};

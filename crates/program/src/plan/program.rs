@@ -3,8 +3,8 @@
 use crate::plan::Pace;
 use geom::{Point, Segment};
 use sealed::{PieceName, SeamName};
-use spec::SealProcess;
 use spec::units::{Duration, Temperature};
+use spec::{CutTool, SealProcess};
 
 /// The purpose of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Purpose {
     Seal,
     /// A look at where the iron will go: at travel height, unheated, fast.
     Trace,
+    /// Cutting the sheet after the seal, with another tool.
+    Cut,
 }
 
 /// One program of one sheet, for one piece or several.
@@ -70,8 +72,8 @@ pub enum Step {
     Height(Height),
     /// Heating; the operator or the controller confirms it.
     Heat(Temperature),
-    /// A pause for the operator, who looks at the last seam: index of the next one.
-    Pause(usize),
+    /// A pause for the operator.
+    Pause(PauseReason),
     /// A wait at travel height, for a seam to cool.
     Cool(Duration),
     /// In a straight line, at the height where it is, clear of the fabric.
@@ -86,6 +88,15 @@ pub enum Step {
     Lift(Ramp),
     /// At travel height, at trace speed.
     Trace(Vec<Segment>),
+}
+
+/// The reason for which a program waits for the operator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PauseReason {
+    /// A look at the last seam: index of the next one.
+    Look(usize),
+    /// Another tool in the place of the iron.
+    Tool(CutTool),
 }
 
 impl Step {

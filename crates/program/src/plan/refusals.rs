@@ -1,11 +1,11 @@
 //! Every reason for which a machine cannot run the programs.
 
-use crate::plan::Program;
 use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
 use crate::plan::process_refusal::of_process;
 use crate::plan::ramps::too_steep;
+use crate::plan::{Program, Purpose};
 use design::{Refusal, RefusalCode, Refusals};
 use spec::units::{Length, Speed};
 use spec::{Machine, SealProcess, Service, Spec, key};
@@ -86,10 +86,12 @@ pub(super) fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program
     };
     let processes = programs.iter().flat_map(|program| &program.processes);
     let fastest = processes.map(|paced| paced.process.seal.speed.0).fold(spec.seal.speed.0, f64::max);
+    let is_cut = programs.iter().any(|program| program.purpose == Purpose::Cut);
+    let work = if is_cut { "cut" } else { "seal" };
     if let Some(top) = limits.top_speed.filter(|top| top.0 < fastest) {
         refuse(
-            format!("`start` of the profile limits moves to {top}, the seal's speed is {}", Speed(fastest)),
-            "VELOCITY must be at least the seal's speed: change that line".to_owned(),
+            format!("`start` of the profile limits moves to {top}, the {work}'s speed is {}", Speed(fastest)),
+            format!("VELOCITY must be at least the {work}'s speed: change that line"),
         );
     }
     let longest = programs.iter().map(|program| program.time).fold(0.0, f64::max).min(DAY);

@@ -1,7 +1,7 @@
 //! The sealing programs: contact after contact of a job.
 
 use crate::plan::moves::Cuts;
-use crate::plan::program::SeamList;
+use crate::plan::program::{PauseReason, SeamList};
 use crate::plan::ramps::without_crumbs;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use design::{Design, PlacedPart, SealContact, SealJob};
@@ -51,7 +51,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob)
             steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
         }
         if stop.pauses {
-            steps.push(Step::Pause(list.seams.len()));
+            steps.push(Step::Pause(PauseReason::Look(list.seams.len())));
         }
         steps.extend(stop.heat.map(Step::Heat));
         steps.extend([
@@ -71,14 +71,17 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob)
 }
 
 /// The steps of one contact.
-struct ContactPlan {
-    start: Point,
-    steps: [Step; 3],
-    report: SeamReport,
+pub(super) struct ContactPlan {
+    /// The place above which the tool goes down.
+    pub(super) start: Point,
+    /// Down, along, up.
+    pub(super) steps: [Step; 3],
+    /// Length and time of the contact.
+    pub(super) report: SeamReport,
 }
 
 /// Makes steps of the contacts of one process.
-struct ContactPlanner<'a> {
+pub(super) struct ContactPlanner<'a> {
     spec: &'a Spec,
     cuts: Cuts,
     speed: f64,
@@ -88,7 +91,7 @@ struct ContactPlanner<'a> {
 
 impl<'a> ContactPlanner<'a> {
     /// One planner for each process of `job`.
-    fn of_job(spec: &'a Spec, machine: &Machine, job: &SealJob) -> Vec<Self> {
+    pub(super) fn of_job(spec: &'a Spec, machine: &Machine, job: &SealJob) -> Vec<Self> {
         let planner = |process: &spec::SealProcess| Self {
             spec,
             cuts: Cuts::of_seal(&spec.sealed_by(process), machine),
@@ -99,7 +102,7 @@ impl<'a> ContactPlanner<'a> {
     }
 
     /// The steps of `contact`; `None` if it has no way down.
-    fn plan(&self, contact: &SealContact) -> Option<ContactPlan> {
+    pub(super) fn plan(&self, contact: &SealContact) -> Option<ContactPlan> {
         let SealContact { laid, process, line, pass } = contact;
         let [high, low] = self.heights;
         let (down, up) = (self.ramp(&laid.lead_in, high, low), self.ramp(&laid.lead_out, low, high));

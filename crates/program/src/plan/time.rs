@@ -97,7 +97,7 @@ impl Program {
         let motion = &machine.motion;
         let paced = |(process, index): (SealProcess, usize)| {
             let lowest = match purpose {
-                Purpose::Seal => lowest_of(motion, steps_of(&steps, &seams, index)),
+                Purpose::Seal | Purpose::Cut => lowest_of(motion, steps_of(&steps, &seams, index)),
                 // The feed check goes at the pace of any other program: that of the worst direction.
                 Purpose::Trace => motion.speed_range().map(|(_, most)| most),
             };

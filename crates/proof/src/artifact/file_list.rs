@@ -60,7 +60,7 @@ impl Parts {
             Subject::Spec | Subject::Machine | Subject::Drawing => Self::Sources,
             Subject::Seal if kind.format() == Format::Gcode => Self::Programs,
             Subject::Trace => Self::Programs,
-            Subject::Seal | Subject::Outline | Subject::Preview => Self::Sheets,
+            Subject::Seal | Subject::Cut | Subject::Outline | Subject::Preview => Self::Sheets,
             Subject::Mask | Subject::Pieces => Self::Masks,
             Subject::Frame => Self::Plates,
             Subject::Separator => Self::Papers,
@@ -91,6 +91,7 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
         }
         Subject::Prediction => spec.load.is_some(),
         Subject::PressPlan => spec.press.is_some(),
+        Subject::Cut => spec.cut.program.is_some() && spec.press.is_none(),
         Subject::Spec
         | Subject::Machine
         | Subject::Seal
@@ -117,8 +118,10 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     }
     for sheet in &design.sheets {
         let part = OutputPart::Sheet(sheet.index);
-        let kinds = Parts::Sheets.kinds();
-        outputs.extend(kinds.iter().map(|kind| Output { part, ..Output::new(*kind) }));
+        let mut kinds = Parts::Sheets.kinds();
+        kinds.retain(|kind| is_of_spec(spec, *kind));
+        let ngc = |kind: Kind| kind.format() == Format::Gcode && program_ending(dialect) == NGC;
+        outputs.extend(kinds.iter().map(|kind| Output { part, ngc: ngc(*kind), ..Output::new(*kind) }));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
             let outlines = kinds.iter().filter(|kind| kind.subject() == Subject::Outline);
             outputs.extend(outlines.map(|kind| Output { part, valves: true, ..Output::new(*kind) }));

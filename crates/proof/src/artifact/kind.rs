@@ -21,6 +21,8 @@ spec::choices! {
     Seal: "seal",
     /// The trace of the iron's path without heat.
     Trace: "trace",
+    /// The cut of the sheet on the machine.
+    Cut: "cut",
     /// The cut.
     Outline: "outline",
     /// A coating mask.
@@ -121,6 +123,8 @@ kinds! {
     SealGcode: "seal-gcode", Seal as Gcode;
     /// The trace of the iron's path without heat.
     TraceGcode: "trace-gcode", Trace as Gcode;
+    /// The program that cuts the sheet after the seal; only for a spec with a tool for it.
+    CutGcode: "cut-gcode", Cut as Gcode;
     /// Centre lines of the seams.
     SealSvg: "seal-svg", Seal as Svg;
     /// Centre lines of the seams.
@@ -181,6 +185,7 @@ impl Kind {
             Subject::Spec | Subject::Machine | Subject::Drawing => true,
             Subject::Seal
             | Subject::Trace
+            | Subject::Cut
             | Subject::Outline
             | Subject::Mask
             | Subject::Pieces
@@ -205,9 +210,12 @@ impl Kind {
             | Subject::Frame
             | Subject::Separator
             | Subject::PressPlan => self.format() == Format::Pdf,
-            Subject::Spec | Subject::Machine | Subject::Drawing | Subject::Trace | Subject::Prediction => {
-                false
-            }
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Trace
+            | Subject::Cut
+            | Subject::Prediction => false,
         }
     }
 

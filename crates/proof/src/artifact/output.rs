@@ -175,6 +175,7 @@ impl Output {
             | Kind::DrawingDxf
             | Kind::SealGcode
             | Kind::TraceGcode
+            | Kind::CutGcode
             | Kind::SealSvg
             | Kind::SealDxf
             | Kind::OutlineSvg
@@ -222,6 +223,7 @@ impl Output {
             | Subject::Drawing
             | Subject::Seal
             | Subject::Trace
+            | Subject::Cut
             | Subject::Outline
             | Subject::Pieces
             | Subject::Separator
@@ -291,6 +293,7 @@ impl Output {
             | Subject::Machine
             | Subject::Drawing
             | Subject::Trace
+            | Subject::Cut
             | Subject::PressPlan
             | Subject::Preview
             | Subject::Prediction

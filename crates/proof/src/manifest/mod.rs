@@ -34,6 +34,9 @@ pub struct Manifest {
     /// Every star, bottom to top.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stars: Vec<ManifestStar>,
+    /// The cut of every sheet on the machine; absent without a tool for it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cuts: Vec<ManifestCut>,
     /// The frame's posts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub posts: Vec<ManifestPosts>,
@@ -58,6 +61,17 @@ pub struct Manifest {
     /// The additional kinds that were requested; absent without any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub with: Vec<Kind>,
+}
+
+/// Length and time of the cuts of one sheet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestCut {
+    /// Number of the sheet.
+    pub sheet: usize,
+    /// Path of the cutting point, overlaps included, mm.
+    pub length_mm: f64,
+    /// Time of the program without heating and pauses, s.
+    pub time_s: f64,
 }
 
 /// The program that wrote a manifest.

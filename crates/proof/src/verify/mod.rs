@@ -21,7 +21,7 @@ pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
 pub use judge::rules::{ContactCount, ContactRule, IronRules, Phase};
 pub use judge::stroke::stroke_seconds;
-pub use judge::task::ProgramTask;
+pub use judge::task::{ProgramTask, ProgramWork};
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;
 pub use read::gcode;

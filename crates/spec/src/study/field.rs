@@ -42,15 +42,24 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 
 impl Field {
     /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
-    /// the list of single stars, `build.with`, or one of a drawing or of a press, since studies cover stars and what they do.
+    /// the list of single stars, `build.with`, or one of a drawing, of a press or of a tool that cuts, since studies cover stars and what they do.
     pub fn find(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let is_named =
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(is_named)?;
         let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
+        // The tool that cuts decides no prediction.
+        let of_cut_tool = [
+            key::cut::TOOL,
+            key::cut::TEMPERATURE,
+            key::cut::SPEED,
+            key::cut::HEIGHT,
+            key::cut::BLADE_OFFSET,
+        ];
         // A press seals all at once: no prediction depends on how.
         let is_of_another_product = of_drawings.contains(&key)
+            || of_cut_tool.contains(&key)
             || key.section() == key::press::CREEP.section()
             || ProductKind::ALL
                 .iter()
@@ -293,6 +302,11 @@ mod tests {
             "process.pause",
             "process.strength",
             "mask.kind",
+            "cut.tool",
+            "cut.temperature",
+            "cut.speed",
+            "cut.height",
+            "cut.blade_offset",
             "sheet.copies",
             "press.temperature",
             "press.time",

@@ -4,15 +4,15 @@
 //! All other comments are proven by the bytes of the whole file.
 
 use crate::verify::judge::stroke::shortest_move;
-use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use sealed::LaidSeam;
-use spec::{DwellUnit, Seal, SealProcess, StepRate};
+use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate};
 
 /// The beginning of the operator's instruction, who has no other source.
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 17] = [
+pub(super) const KEYS: [&str; 20] = [
     "program",
     "seal",
     "machine",
@@ -30,15 +30,26 @@ pub(super) const KEYS: [&str; 17] = [
     "seam",
     "pause",
     "cool",
+    "cutting",
+    "tool",
+    "cut",
 ];
 
 /// The comments with one of [`KEYS`] or for the operator, in the order of the file. `chopped`: whether each process of the job consists of
 /// strokes and dwells.
 pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: &[bool]) -> Vec<String> {
-    let purpose = if task.hot { "seal" } else { "trace" };
+    let purpose = match task.work {
+        ProgramWork::Seal => "seal",
+        ProgramWork::Trace => "trace",
+        ProgramWork::Cut(_) => "cut",
+    };
     let mut comments = vec![format!("program: purpose={purpose} {}", task.scope)];
-    if task.hot {
-        job(task, &mut comments);
+    if let ProgramWork::Cut(tool) = task.work {
+        cutting(task, tool, &mut comments);
+    }
+    if task.work == ProgramWork::Seal {
+        seal(&task.spec.seal, &mut comments);
+        machine(task, &mut comments);
         let mut processes = task.job.processes.iter().zip(chopped);
         if let Some((process, _)) = processes.find(|(_, is_chopped)| **is_chopped) {
             strokes(task, &process.seal, &mut comments);
@@ -73,12 +84,31 @@ fn processes_and_contacts(task: &ProgramTask<'_>, chopped: &[bool], comments: &m
     }));
 }
 
-/// The seal and the machine.
-fn job(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
-    let ProgramTask { spec, machine, .. } = *task;
-    let (seal, controller, process) = (&spec.seal, &machine.controller, &machine.process);
+/// The tool of a cut with its settings, the machine, and every cut.
+fn cutting(task: &ProgramTask<'_>, tool: CutTool, comments: &mut Vec<String>) {
+    let seal = &task.spec.seal;
+    let (v, z) = (seal.speed.0, seal.contact(&task.machine.process).0);
+    let word = tool.word();
+    let tool = match tool {
+        CutTool::HotTip { temperature } => format!("tool={word} temperature_C={}", temperature.0),
+        CutTool::DragKnife { blade_offset } => format!("tool={word} blade_offset_mm={}", blade_offset.0),
+    };
+    comments.extend([format!("cutting: speed_mm_s={v} height_mm={z}"), format!("cutting: {tool}")]);
+    machine(task, comments);
+    comments.push(format!("tool: {tool}"));
+    contacts(task, comments);
+}
+
+/// The seal.
+fn seal(seal: &Seal, comments: &mut Vec<String>) {
     let (t, v, w, o) = (seal.temperature.0, seal.speed.0, seal.band.0, seal.overlap.0);
     comments.push(format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+}
+
+/// The machine.
+fn machine(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
+    let ProgramTask { spec, machine, .. } = *task;
+    let (controller, process) = (&machine.controller, &machine.process);
     let heating = controller.heating.name().replace(' ', "-");
     let arcs = if controller.arcs { "yes" } else { "no" };
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
@@ -152,7 +182,11 @@ fn contacts(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
         let rise = machine.process.heights.travel.0 - seal.contact(&machine.process).0;
         let ramps = libm::hypot(lead_in.length(), rise) + libm::hypot(lead_out.length(), rise);
         let (length, time) = (run.length(), (run.length() + ramps) / seal.speed.0);
-        comments.push(format!("seam: seam={i} {} length_mm={length} time_s={time}", name.facts()));
+        let title = match task.work {
+            ProgramWork::Seal | ProgramWork::Trace => format!("seam: seam={i} {}", name.facts()),
+            ProgramWork::Cut(_) => format!("cut: cut={i} edge={}", name.piece.word()),
+        };
+        comments.push(format!("{title} length_mm={length} time_s={time}"));
         if let Some(cool) = job.cool_after(index) {
             comments.push(format!("cool: time_s={}", cool.0));
         }

@@ -7,7 +7,7 @@ use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::Traced;
 use crate::verify::judge::stroke::stroke_seconds;
-use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{FindingCode, Findings};
@@ -45,7 +45,7 @@ impl FeedCheckTask<'_> {
         let task = ProgramTask {
             spec,
             machine,
-            hot: false,
+            work: ProgramWork::Trace,
             scope: String::new(),
             seams: seams.collect(),
             job: SealJob::default(),

@@ -62,6 +62,8 @@ impl Judge for IronJudge<'_> {
         };
         match step.heated {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
+            // A tool of 0 C is cold.
+            None if seal.temperature.0 <= 0.0 => {}
             found => blame(
                 FindingCode::ColdSeal,
                 found.map_or("an unheated iron".to_owned(), |t| format!("{t} C")),

@@ -1,6 +1,7 @@
 //! A G-code program against the design: place, temperature and speed of the iron.
 
 use crate::verify::finding::quote;
+use crate::verify::judge::blade::BladeJudge;
 use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
 use crate::verify::judge::height::HeightJudge;
@@ -9,7 +10,7 @@ use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::{Sealed, Traced, legs};
-use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::judge::travel_order::TravelOrder;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Line, Move};
@@ -17,22 +18,25 @@ use crate::verify::{FindingCode, Findings};
 use geom::Bounds;
 
 impl ProgramTask<'_> {
-    /// The number of pauses: one for each heating by the operator, and one wherever a seam asks for it.
+    /// The number of pauses: one for each heating by the operator, one wherever a seam asks for it, and one for another tool.
     fn pauses(&self) -> usize {
-        if !self.hot {
-            return 0;
-        }
+        let tools = match self.work {
+            ProgramWork::Trace => return 0,
+            ProgramWork::Seal => 0,
+            ProgramWork::Cut(_) => 1,
+        };
         let by_operator = !self.machine.controller.heating.is_by_program();
         let of_stop = |i| {
             let stop = self.job.stop_before(i);
             usize::from(stop.pauses) + usize::from(by_operator && stop.heat.is_some())
         };
-        (0..self.job.contacts.len()).map(of_stop).sum()
+        tools + (0..self.job.contacts.len()).map(of_stop).sum::<usize>()
     }
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let Self { spec, machine, hot, area, .. } = *self;
+        let Self { spec, machine, work, area, .. } = *self;
+        let hot = work != ProgramWork::Trace;
         let (rules, heights) = (IronRules::new(spec, machine, &self.job), &machine.process.heights);
         let tolerance = spec.accuracy.path.0;
         let controller = &machine.controller;
@@ -55,8 +59,15 @@ impl ProgramTask<'_> {
             judges.push(Box::new(Cold(&rules)));
         }
         judges.push(Box::new(CommentJudge::new(self)));
-        judges.push(Box::new(TravelOrder::new(heights, legs(self), hot, tolerance)));
-        judges.push(if hot { Box::new(Sealed::new(self, &rules)) } else { Box::new(Traced::new(self)) });
+        judges.push(Box::new(TravelOrder::new(heights, legs(self), work.title(), tolerance)));
+        judges.push(match work {
+            ProgramWork::Trace => Box::new(Traced::new(self)),
+            ProgramWork::Cut(tool) if tool.blade_offset().0 > 0.0 => {
+                let starts = self.job.contacts.iter().filter_map(|cut| cut.laid.lead_in.start()).collect();
+                Box::new(BladeJudge::new(Sealed::new(self, &rules), &rules, tool.blade_offset().0, starts))
+            }
+            ProgramWork::Seal | ProgramWork::Cut(_) => Box::new(Sealed::new(self, &rules)),
+        });
         judged(text.split_inclusive('\n'), Dialect::for_controller(controller), judges, findings)
     }
 }

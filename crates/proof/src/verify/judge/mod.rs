@@ -1,5 +1,6 @@
 //! Judges: they compare the files with the design; every difference becomes a finding.
 
+mod blade;
 pub(super) mod clamp;
 mod comments;
 pub(super) mod expected;

@@ -132,11 +132,11 @@ impl<'a> IronRules<'a> {
 
     /// The temperatures to which the iron is heated, in order.
     pub(super) fn heats(&self) -> Vec<Temperature> {
-        let mut heats: Vec<Temperature> =
-            self.contacts.iter().map(|contact| contact.seal.temperature).collect();
-        if heats.is_empty() {
-            heats.push(self.default.seal.temperature);
-        }
+        let rules =
+            if self.contacts.is_empty() { std::slice::from_ref(&self.default) } else { &self.contacts };
+        let temperatures = rules.iter().map(|contact| contact.seal.temperature);
+        // A tool of 0 C is cold.
+        let mut heats: Vec<Temperature> = temperatures.filter(|temperature| temperature.0 > 0.0).collect();
         heats.dedup();
         heats
     }

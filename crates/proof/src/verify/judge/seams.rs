@@ -3,7 +3,7 @@
 use crate::verify::judge::Judge;
 use crate::verify::judge::path::follow::Follower;
 use crate::verify::judge::rules::{ContactCount, IronRules, Phase};
-use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::judge::travel_order::Leg;
 use crate::verify::read::gcode::{Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
@@ -13,7 +13,7 @@ use sealed::LaidSeam;
 
 /// The ways of a program with the stops before them, in order; a trace shows the frame first.
 pub(super) fn legs(task: &ProgramTask<'_>) -> Vec<Leg> {
-    if !task.hot {
+    if task.work == ProgramWork::Trace {
         let starts =
             task.frame.start().into_iter().chain(task.seams.iter().filter_map(|seam| seam.run.start()));
         return starts.map(|start| Leg { start, stop: Vec::new(), cools: false }).collect();
@@ -21,8 +21,17 @@ pub(super) fn legs(task: &ProgramTask<'_>) -> Vec<Leg> {
     let leg = |(contact, i): (&SealContact, usize)| {
         let stop = task.job.stop_before(i);
         let (pause, heat) = (stop.pauses.then_some("pause"), stop.heat.map(|_| "heat"));
-        let stop = pause.into_iter().chain(heat).collect();
-        Some(Leg { start: contact.laid.lead_in.start()?, stop, cools: task.job.cool_after(i).is_some() })
+        let tool = match task.work {
+            ProgramWork::Cut(tool) => Some(tool),
+            ProgramWork::Seal | ProgramWork::Trace => None,
+        };
+        let change = tool.filter(|_| i == 0).map(|_| "tool");
+        let stop = change.into_iter().chain(pause).chain(heat).collect();
+        let (first, offset) =
+            (contact.laid.lead_in.segments.first()?, tool.map_or(0.0, |tool| tool.blade_offset().0));
+        // The axis of a blade is ahead of its tip.
+        let start = first.start() + first.tangent(0.0) * offset;
+        Some(Leg { start, stop, cools: task.job.cool_after(i).is_some() })
     };
     task.job.contacts.iter().zip(0..).filter_map(leg).collect()
 }

@@ -1,9 +1,31 @@
 //! The task of one program: its seams, their places, and their names in its comments.
 
-use design::{Design, PlacedPart, SealJob};
+use design::{Design, PlacedPart, SealJob, SheetLayout};
 use geom::{Bounds, Path, Point};
 use sealed::{LaidSeam, PieceName, frame, laid_seams, scope};
-use spec::{Machine, Spec};
+use spec::{CutTool, Machine, Spec};
+
+/// What a program does along its paths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProgramWork {
+    /// It seals, hot.
+    Seal,
+    /// It shows the way, cold and above the fabric.
+    Trace,
+    /// It cuts with this tool.
+    Cut(CutTool),
+}
+
+impl ProgramWork {
+    /// The key of the comment before every contact; `None` where there is none.
+    pub(super) fn title(self) -> Option<&'static str> {
+        match self {
+            Self::Seal => Some("seam"),
+            Self::Trace => None,
+            Self::Cut(_) => Some("cut"),
+        }
+    }
+}
 
 /// The task of one program, independent of the product of its seams.
 #[derive(Clone, Debug)]
@@ -12,8 +34,8 @@ pub struct ProgramTask<'a> {
     pub spec: &'a Spec,
     /// The machine that runs it.
     pub machine: &'a Machine,
-    /// Whether it seals; else it traces the way, cold.
-    pub hot: bool,
+    /// What it does along its paths.
+    pub work: ProgramWork,
     /// Scope of the program, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
     pub scope: String,
     /// The seams along their centre lines, in the order of the pieces: what a trace shows.
@@ -30,7 +52,7 @@ impl<'a> ProgramTask<'a> {
     /// The task of the program for piece number `piece`, or for all pieces of `sheet`; `None` if the design has no such part.
     pub(super) fn of_pieces(
         (spec, machine, design): (&'a Spec, &'a Machine, &Design),
-        hot: bool,
+        work: ProgramWork,
         sheet: usize,
         piece: Option<usize>,
     ) -> Option<Self> {
@@ -42,19 +64,46 @@ impl<'a> ProgramTask<'a> {
         let pieces = design.pieces(&placed);
         let names: Vec<PieceName> = pieces.iter().map(|piece| piece.name.clone()).collect();
         let _ = names.first()?;
-        let corner = Point::new(layout.width, layout.height);
-        let reach = machine.bench.work_area;
-        let reach = reach.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
         let seams = laid_seams(&pieces, machine.process.ramp.0);
         Some(Self {
             spec,
             machine,
-            hot,
+            work,
             scope: format!("sheet={sheet} {}", scope(&names)),
             frame: frame(&pieces, &seams),
             seams,
             job: SealJob::new(spec, design, &placed, machine.process.ramp.0),
-            area: Bounds { min: Point::ORIGIN, max: reach },
+            area: area(machine, layout),
         })
     }
+
+    /// The task of the program that cuts `sheet` with `tool`; `spec` has the cut in the place of its seal. `None` if there is no such sheet.
+    pub(super) fn of_cut(
+        (spec, machine, design): (&'a Spec, &'a Machine, &Design),
+        tool: CutTool,
+        sheet: usize,
+    ) -> Option<Self> {
+        let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
+        let names: Vec<PieceName> = design.on_sheet(sheet).map(PlacedPart::name).collect();
+        // An axis that leads a blade may be ahead of the sheet's edge.
+        let reach = tool.blade_offset().0;
+        Some(Self {
+            spec,
+            machine,
+            work: ProgramWork::Cut(tool),
+            scope: format!("sheet={sheet} {}", scope(&names)),
+            seams: Vec::new(),
+            job: SealJob::of_cuts(spec, design, sheet, machine.process.ramp.0),
+            frame: Path::default(),
+            area: area(machine, layout).grown(reach),
+        })
+    }
+}
+
+/// The part of a sheet that `machine` reaches.
+fn area(machine: &Machine, layout: &SheetLayout) -> Bounds {
+    let corner = Point::new(layout.width, layout.height);
+    let reach = machine.bench.work_area;
+    let max = reach.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
+    Bounds { min: Point::ORIGIN, max }
 }

@@ -44,11 +44,11 @@ pub(super) struct TravelOrder {
 }
 
 impl TravelOrder {
-    /// The way along `legs`, with an announcement of each if `hot`.
+    /// The way along `legs`, each with an announcement of the key `title`.
     pub(super) fn new(
         heights: &Heights,
         legs: impl IntoIterator<Item = Leg>,
-        hot: bool,
+        title: Option<&'static str>,
         tolerance: f64,
     ) -> Self {
         let (park, travel) = (heights.park.0, heights.travel.0);
@@ -66,9 +66,7 @@ impl TravelOrder {
             waypoints.push(Waypoint::Rapid(position));
             position[2] = Some(travel);
             waypoints.push(Waypoint::Rapid(position));
-            if hot {
-                waypoints.push(Waypoint::Comment("seam"));
-            }
+            waypoints.extend(title.map(Waypoint::Comment));
             waypoints.push(Waypoint::Path);
             if cools {
                 waypoints.push(Waypoint::Comment("cool"));
@@ -140,8 +138,9 @@ impl Judge for TravelOrder {
     }
 
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if let Some(key) =
-            ["heat", "seam", "pause", "cool"].into_iter().find(|key| comment.key() == Some(*key))
+        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut"]
+            .into_iter()
+            .find(|key| comment.key() == Some(*key))
         {
             self.pass(&Waypoint::Comment(key), comment.line, findings);
         }
@@ -194,7 +193,7 @@ mod tests {
         let judge = TravelOrder::new(
             &heights,
             [Leg { start: Point::new(10.0, 20.0), stop: vec!["heat"], cools: false }],
-            true,
+            Some("seam"),
             1e-3,
         );
         let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));

@@ -8,7 +8,7 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
 use crate::verify::judge::files::{drawings, figures, names, solid, welded};
-use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
 /// The verifier's result for a directory.
@@ -151,14 +151,23 @@ fn file(
         }
         (subject @ (Subject::Seal | Subject::Trace), Format::Gcode) => {
             let parts = (expected.spec, expected.machine, expected.design);
-            let (hot, sheet) = (subject == Subject::Seal, output.part.sheet().unwrap_or(0));
-            let task = ProgramTask::of_pieces(parts, hot, sheet, output.part.sealed());
+            let work = if subject == Subject::Seal { ProgramWork::Seal } else { ProgramWork::Trace };
+            let sheet = output.part.sheet().unwrap_or(0);
+            let task = ProgramTask::of_pieces(parts, work, sheet, output.part.sealed());
+            (Method::Reading, task.map(|task| task.check(text, findings)))
+        }
+        (Subject::Cut, Format::Gcode) => {
+            let Some(process) = expected.spec.cut.program else { return (Method::Hash, None) };
+            let cut_spec = expected.spec.cut_by(&process);
+            let parts = (&cut_spec, expected.machine, expected.design);
+            let task = ProgramTask::of_cut(parts, process.tool, output.part.sheet().unwrap_or(0));
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
         // Every subject is named, so that a new one must be given its method of proof.
         (
             subject @ (Subject::Seal
             | Subject::Trace
+            | Subject::Cut
             | Subject::Outline
             | Subject::Mask
             | Subject::Pieces
