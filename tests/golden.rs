@@ -250,7 +250,8 @@ const OF_FILES: [&str; 9] = ["star", "stack", "inlet", "seal", "mask", "frame", 
 
 /// Keys of these sections that no golden design of stars sets: only drawings have them, they leave something out, or tests/design/cuts.rs
 /// sets them.
-const NOT_SET: [KeyPath; 9] = [
+const NOT_SET: [KeyPath; 10] = [
+    key::machine::MARKS,
     key::inlet::NONE,
     key::mask::KIND,
     key::sheet::COPIES,

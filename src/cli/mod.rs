@@ -4,6 +4,7 @@
 //! standard output, faults to standard error.
 
 mod actuator;
+mod align;
 mod batch;
 mod bench;
 mod build;
@@ -80,7 +81,7 @@ struct Cli {
 /// The commands in the groups of `--help`; a command without a group is an old name of `study run`.
 const GROUPS: [(&str, &[&str]); 4] = [
     ("Design", &["new", "check", "build", "verify"]),
-    ("Workshop", &["machines", "feedcheck", "coupon", "calibrate", "resume"]),
+    ("Workshop", &["machines", "feedcheck", "coupon", "calibrate", "align", "resume"]),
     ("Numbers", &["predict", "actuator", "optimize", "study", "trade"]),
     ("Shell", &["schema", "explain", "completions", "man"]),
 ];
@@ -103,6 +104,8 @@ enum Command {
     Coupon(coupon::Args),
     /// Convert bench tests (peeled strips, a V-actuator, a disc) into values for the spec.
     Calibrate(calibrate::Args),
+    /// Write the programs of a build for a sheet that was moved, from where its two marks lie now.
+    Align(align::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
     /// Predict the behaviour of the gripper of a spec: closing, force, pressures, payload.
@@ -177,6 +180,7 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Feedcheck(args) => feedcheck::run(&args),
         Command::Coupon(args) => coupon::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Align(args) => align::run(&args),
         Command::Resume(args) => resume::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Explain(args) => explain::run(&args),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::answer::hours;
+use crate::cli::align::{aligned, mark};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::MACHINE;
@@ -38,6 +39,12 @@ pub(super) struct Args {
     /// Length to seal again before the stop, such as "5 mm"; default: the overlap of the closures.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
+    /// Where the first mark of the sheet lies now, if it was moved, as the machine shows it in mm: "12.3, 8.1".
+    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true, requires = "mark2")]
+    mark1: Option<Point>,
+    /// Where the second mark lies now.
+    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true, requires = "mark1")]
+    mark2: Option<Point>,
     /// The program to write; default: the job's name with -resume, beside a published directory, never in it. An
     /// existing file is never overwritten.
     #[arg(short, long, value_name = "FILE")]
@@ -55,6 +62,11 @@ impl Args {
 
     /// The program for the rest of the job with the text `job`.
     pub(super) fn rest_of(&self, job: &str) -> Result<Resumed, Failure> {
+        if self.mark1.is_some() || self.mark2.is_some() {
+            return Err(Failure::message(
+                "marks need the directory of the build: align it, and resume the program that is written then",
+            ));
+        }
         resume(job, self.place()?, self.overlap).map_err(Failure::message)
     }
 }
@@ -108,6 +120,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let hint = seal_file.map_or_else(String::new, |path| format!(", {}", shown(path)));
         Failure::Message(format!("{}: {fault}{hint}", shown(&args.job)))
     })?;
+    let resumed = on_moved_sheet(args, resumed)?;
     let manifest = args.job.with_file_name(MANIFEST);
     // Reading a pipe or a device of this name would block, and it cannot be a manifest.
     let has_manifest = manifest.is_file();
@@ -143,6 +156,26 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "named_in_manifest": has_manifest,
     });
     args.verbosity.report(&text, &json)
+}
+
+/// The rest of the job on a sheet that was moved, if its marks are given: the program of the aligned build, resumed at the time at which
+/// `resumed` begins.
+fn on_moved_sheet(args: &Args, resumed: Resumed) -> Result<Resumed, Failure> {
+    let Some((mark1, mark2)) = args.mark1.zip(args.mark2) else { return Ok(resumed) };
+    let dir = directory_of(&args.job);
+    let name = args.job.file_name().unwrap_or_default().to_string_lossy();
+    let read: Option<Manifest> =
+        serde_json::from_str(&read_text(&args.job.with_file_name(MANIFEST), PROGRAM)?).ok();
+    let sheet = read.and_then(|read| read.files.iter().find(|file| file.path == name)?.sheet);
+    let proven = aligned(dir, sheet, [mark1, mark2], args.verbosity)?;
+    let file = proven.built().artifacts.iter().find(|file| file.name == name);
+    let text = file.and_then(|file| std::str::from_utf8(&file.bytes).ok());
+    let text = text.ok_or_else(|| {
+        Failure::Message(format!("{} is no program of the build in its directory", shown(&args.job)))
+    })?;
+    let moved = resume(text, ResumeAt::Share(resumed.done), args.overlap);
+    let moved = moved.map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
+    Ok(Resumed { line: resumed.line, ..moved })
 }
 
 /// The sealing program beside the trace program `trace`, if there is one.

@@ -219,7 +219,7 @@ fn placed(pieces: &[CouponPiece]) -> Vec<PlacedPiece<'_>> {
 fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) -> Result<Coupon, Refusals> {
     let job = SealJob::of_pieces(spec, &placed(&pieces), machine.process.ramp.0);
     let scope = Scope { purpose: Purpose::Seal, sheet: 1, pieces: vec![PieceName::Named(name.to_owned())] };
-    let program = seal_program(spec, machine, scope, &job);
+    let program = seal_program(spec, machine, scope, &job, &[]);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     let smaller = match name {
         _ if name.starts_with("strips") => {

@@ -14,9 +14,10 @@ use sealed::{PieceName, SeamName};
 use spec::{MaskKind, Spec};
 
 pub use proof::manifest::{
-    CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest, ManifestCut,
-    ManifestFile, ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts, ManifestPrediction,
-    ManifestSeam, ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool, sha256,
+    CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest,
+    ManifestAlignment, ManifestCut, ManifestFile, ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts,
+    ManifestPrediction, ManifestSeam, ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool,
+    sha256,
 };
 
 /// The manifest of `design`, with `spec`, the sealing `programs` and the `prediction` at the pressure of `[load]`; its list of files is
@@ -53,6 +54,7 @@ pub fn manifest_of(
         pieces,
         stars,
         cuts: Vec::new(),
+        aligned: design.alignment.as_ref().map(ManifestAlignment::new),
         prediction: at_pressure.map(predicted::summary),
         only: Vec::new(),
         with: Vec::new(),

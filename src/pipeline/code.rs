@@ -15,6 +15,7 @@ codes! {
         MayNotHold "may-not-hold" "The gripper may not hold the object; see the numbers and the remedies.",
         Prediction "prediction" "The prediction has a wide range, or omits an effect; see the message.",
         Pressing "pressing" "What a heat press must give, or what is to be tested before it is used; see the message.",
+        SheetMarks "sheet-marks" "Where programs stop above the marks of a sheet; mark it there.",
         Unfit "unfit" "The gripper does not meet its `load` section, and was accepted anyway.",
         UnknownFeed "unknown-feed" "Whether the machine can move as slowly as the seal needs is unknown; time the program of `feedcheck`.",
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",

@@ -299,6 +299,8 @@ fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
         job: coupon.job(),
         frame: Path::default(),
         area: coupon.area(),
+        marks: Vec::new(),
+        motion: None,
     }
 }
 

@@ -10,6 +10,7 @@
 //! Each step refuses invalid input, and no step can be skipped: `check` and `build` go as far as [`Proven`], the only state that can be
 //! published, and `build` publishes it. `verify` takes the same steps from the files of a directory.
 
+mod aligned;
 mod code;
 mod coupons;
 mod directory;
@@ -32,6 +33,7 @@ use program::plan::Program;
 use proof::artifact::{Artifact, KindRequest};
 use spec::{Machine, Spec};
 
+pub use aligned::{AlignedFault, align};
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};

@@ -4,7 +4,7 @@ use crate::airtight;
 use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
-use program::plan::Program;
+use program::plan::{Program, Step};
 use proof::artifact::{Format, KindRequest};
 use spec::{Machine, SealingTool, Spec, key};
 
@@ -34,12 +34,20 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     // The size is checked before the programs are made: they may exceed the memory.
     let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
     too_many.or(())?;
+    let without_marks: Refusals = plan::no_marks(&spec, &design).into_iter().collect();
+    without_marks.or(())?;
     let programs = plan::seal_programs(&spec, &machine, &design);
     let traces = plan::trace_programs(&spec, &machine, &design);
     let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
     refusals.extend(plan::pressed_beyond(&spec, &machine, &design));
     let cuts = plan::cut_programs(&spec, &machine, &design);
     refusals.extend(plan::cut_refusals(&spec, &machine, &design, &programs, &cuts));
+    if let Some(alignment) = design.alignment {
+        let remedy = "lay the sheet nearer to its place";
+        let programs = programs.iter().chain(&traces).filter(|program| program.sheet == alignment.sheet);
+        let steps: Vec<Step> = programs.flat_map(|program| program.steps.clone()).collect();
+        refusals.extend(plan::beyond(&machine, "the moved sheet", &steps, remedy));
+    }
     refusals.or(Planned { spec, machine, design, programs, traces, cuts })
 }
 

@@ -10,7 +10,7 @@ use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
 use program::plan::{Pace, Program};
 use spec::units::{Readable, Speed};
-use spec::{CutTool, Machine, SealingTool};
+use spec::{CutTool, Machine, Marks, SealingTool};
 
 /// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
 /// or more, which gives about 5 mm/s.
@@ -55,6 +55,7 @@ impl Forecast {
         let notes = weak_processes(self).into_iter();
         list.extend(notes.map(|text| Precaution::new(PrecautionCode::WeakProcess, text)));
         list.extend(cut_sheet(self));
+        list.extend(marks(self));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);
@@ -214,6 +215,20 @@ fn cut_sheet(forecast: &Forecast) -> Option<Precaution> {
          {height} mm below Z0, so what lies under the fabric must bear that{fumes}"
     );
     Some(Precaution::new(PrecautionCode::CutSheet, text))
+}
+
+/// The places of the marks above which programs stop.
+fn marks(forecast: &Forecast) -> Vec<Precaution> {
+    let sheets = forecast.design.sheets.iter().filter(|_| forecast.spec.machine.marks == Marks::Pause);
+    let text = |sheet: &SheetLayout| {
+        let [a, b] = forecast.design.marks(sheet.index)?;
+        Some(format!(
+            "trace and seal stop above two marks of sheet {}, X{:.2} Y{:.2} and X{:.2} Y{:.2}: mark the sheet there; if it is moved later, \
+             `align` takes where they lie then",
+            sheet.index, a.x, a.y, b.x, b.y
+        ))
+    };
+    sheets.filter_map(text).map(|text| Precaution::new(PrecautionCode::SheetMarks, text)).collect()
 }
 
 /// The warning that the strength of the seal is unknown.

@@ -2,10 +2,13 @@
 
 use std::borrow::Cow;
 
-use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, cuts_of, manifest_of, sha256};
+use crate::manifest::{
+    CouponManifest, MANIFEST, Manifest, ManifestAlignment, ManifestFile, Tool, cuts_of, manifest_of, sha256,
+};
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
-use crate::pipeline::{Built, Forecast, Sources};
+use crate::pipeline::{AlignedFault, Built, Forecast, Planned, Sources};
+use forecast::drawn::Watch;
 use proof::artifact::{Kind, KindRequest, Subject, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
@@ -82,7 +85,8 @@ impl PublishedBuild {
             return Self { forecast: Err(Vec::new()), written: None, coupons };
         }
         let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
-        Self { forecast: forecast_of(files), written: manifest, coupons: None }
+        let aligned = manifest.as_ref().and_then(|manifest: &Manifest| manifest.aligned);
+        Self { forecast: forecast_of(files, aligned), written: manifest, coupons: None }
     }
 
     /// The names of all files that the directory must have; empty if its request is refused.
@@ -272,11 +276,23 @@ fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
 }
 
 /// The forecast of the directory's own spec and profile.
-fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
+fn forecast_of(
+    files: &OutputFiles<'_>,
+    aligned: Option<ManifestAlignment>,
+) -> Result<Forecast, Vec<Finding>> {
     let (reading, machine) = sources_of(files)?;
     let drawing = reading.spec.drawing.as_ref().map(DrawingSpec::published_name);
     if let Some(name) = drawing.filter(|name| files.get(name).is_none()) {
         return Err(vec![files.lacks(name, "the file of the build")]);
     }
-    Forecast::of(reading.spec, machine).map_err(refused)
+    let Some(aligned) = aligned else { return Forecast::of(reading.spec, machine).map_err(refused) };
+    let planned = Planned::aligned(reading.spec, machine, Some(aligned.sheet), aligned.measured());
+    let planned = planned.map_err(|fault| match fault {
+        AlignedFault::Refused(refusals) => refused(refusals),
+        fault => {
+            let allowed = "marks that `align` accepts";
+            vec![Finding::new(FindingCode::Manifest, fault.to_string(), allowed).in_file(MANIFEST)]
+        }
+    })?;
+    planned.forecast(&Watch::default()).map_err(refused)
 }

@@ -146,6 +146,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
             overdue: 0.0,
         }],
         time: 0.0,
+        motion: None,
     };
     let text = emit::gcode(&spec, &machine, &program);
     let program = read_program(&text, Dialect::new(spec::Dialect::LinuxCnc));

@@ -4,7 +4,7 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::{self, Built, Sources, read_back};
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
-use stargrip_cam::spec::{self, Machine, Source};
+use stargrip_cam::spec::{self, Code, Machine, Source};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 const HOT: &str = "tool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n";

@@ -11,6 +11,7 @@ mod forged;
 mod hostile;
 mod layers;
 mod links;
+mod marks;
 mod pictures;
 mod pressed;
 mod published;

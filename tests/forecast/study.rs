@@ -284,6 +284,7 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "machine.program" => "sheet",
             "machine.feed_floor" => "chop",
             "cut.colours" => "ordered",
+            "machine.marks" => "pause",
             "accuracy.model" => "fit",
             "mask.bed" => "220 mm x 210 mm",
             "mask.mirror" | "sheet.turn" | "inlet.none" => "true",

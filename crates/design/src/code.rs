@@ -46,6 +46,7 @@ codes! {
         NoPress "no-press" "The profile is a heat press and the spec has no [press], or the reverse; write both, or none.",
         NoPrograms "no-programs" "A heat press runs no programs; ask for its paper and its plan, or name a machine with an iron.",
         NoRoomForBand "no-room-for-band" "A drawing leaves no room for a band between two edges; move them apart.",
+        NoMarks "no-marks" "Programs cannot stop above marks: a sheet has no two registration holes; make hole_diameter larger.",
         NoRoomForHoles "no-room-for-holes" "The registration holes do not fit on a tip, or on the flap of a drawing; make them smaller, or 0.",
         NoWindow "no-window" "Creep leaves nothing of the coating windows, or closes a port of a separator; make it smaller.",
         NothingDrawn "nothing-drawn" "No layer of the drawing is an edge of air or a seam; give one of them that role.",

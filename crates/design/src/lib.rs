@@ -5,6 +5,7 @@
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
 
+mod alignment;
 mod assembly;
 mod code;
 mod contour;
@@ -44,6 +45,7 @@ mod star_seam;
 mod tube;
 mod window;
 
+pub use alignment::{Alignment, AlignmentFault};
 pub use assembly::StarAssembly;
 pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};

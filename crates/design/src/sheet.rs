@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::paper_sheet::paper_sheets;
 use crate::placement::SheetLayout;
-use crate::{DrawnPieces, FlatPiece, PaperSheet, PlacedPart, Refusals, StarAssembly, Warning};
+use crate::{Alignment, DrawnPieces, FlatPiece, PaperSheet, PlacedPart, Refusals, StarAssembly, Warning};
 use geom::Point;
 use sealed::PlacedPiece;
 use spec::{Machine, ProductKind, Spec};
@@ -20,6 +20,8 @@ pub struct Design {
     pub papers: Vec<PaperSheet>,
     /// The warnings before it is made.
     pub warnings: Vec<Warning>,
+    /// The place where one of the sheets was found again; `None`: each lies where it was laid out.
+    pub alignment: Option<Alignment>,
 }
 
 /// The product of a spec.
@@ -48,7 +50,7 @@ impl Design {
                 (Product::Stars(Box::new(assembly)), sheets, warnings)
             }
         };
-        let design = Self { product, sheets, papers: Vec::new(), warnings };
+        let design = Self { product, sheets, papers: Vec::new(), warnings, alignment: None };
         let papers = paper_sheets(spec, machine, &design)?;
         Ok(Self { papers, ..design })
     }

@@ -138,7 +138,7 @@ keys! {
     sheet "sheet" {
         WIDTH "width", HEIGHT "height", COPIES "copies", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }
-    machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
+    machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor", MARKS "marks" }
     press "press" {
         TEMPERATURE "temperature", TIME "time", PRESSURE "pressure", LAYERS "layers", CREEP "creep", PAPER "paper",
         PLATES "plates",

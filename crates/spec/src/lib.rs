@@ -72,8 +72,8 @@ pub use machine::{
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;
 pub use model::{
-    Bed, BuildSpec, Colours, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask, MaskKind,
-    ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
+    Bed, BuildSpec, Colours, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Marks, Mask,
+    MaskKind, ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, check_name, misleads};

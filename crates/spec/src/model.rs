@@ -271,6 +271,18 @@ pub struct MachineChoice {
     pub program: ProgramScope,
     /// The action below the controller's lowest feed.
     pub feed_floor: FeedFloor,
+    /// Stops above the marks of a sheet.
+    pub marks: Marks,
+}
+
+/// Stops of traces and sealing programs above two marks of the sheet, by which it is found again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Marks {
+    /// None.
+    #[default]
+    Ignored,
+    /// A pause above each.
+    Pause,
 }
 
 /// The scope of one G-code program.

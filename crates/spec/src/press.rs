@@ -147,6 +147,7 @@ fn refuse_iron(reader: &mut Reader<'_>) {
         ("seal", "pause", "a press seals all bands at once: delete it"),
         ("machine", "program", "a press runs no programs: delete it"),
         ("machine", "feed_floor", "a press runs no programs: delete it"),
+        ("machine", "marks", "a press runs no programs: delete it"),
         ("cut", "tool", "a press runs no programs: delete it"),
     ];
     for (section, key, remedy) in keys {

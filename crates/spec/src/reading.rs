@@ -10,8 +10,8 @@ use crate::fault::{Fault, quoted};
 use crate::faults::Faults;
 use crate::foreign::{self, Document};
 use crate::model::{
-    Bed, BuildSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind, ProgramScope, Sheet,
-    Spec,
+    Bed, BuildSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Marks, Mask, MaskKind, ProgramScope,
+    Sheet, Spec,
 };
 use crate::raw::RawSpec;
 use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength, refuse_processes};
@@ -266,6 +266,7 @@ pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
         feed_floor: s
             .choice("feed_floor", &[("refuse", FeedFloor::Refuse), ("chop", FeedFloor::Chop)])
             .unwrap_or(FeedFloor::Refuse),
+        marks: s.choice("marks", &[("none", Marks::Ignored), ("pause", Marks::Pause)]).unwrap_or_default(),
     }
 }
 

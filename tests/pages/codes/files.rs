@@ -38,6 +38,8 @@ enum Base {
     Cooled,
     /// A printer that homes.
     Homed,
+    /// Stops above the marks of the sheet.
+    Marked,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -85,6 +87,7 @@ const EDITS: &[Edit] = &[
         "G1 X259.8731 Y224.3576 Z1\nG1 X262.8394 Y228.0206 Z-0.3\n",
     ),
     edit("missing-overlap", SEAL, "G1 X254.1209 Y217.2541\nG1 X256.0089", "G1 X256.0089"),
+    edit_of(Base::Marked, edit("missing-mark", TRACE, "look; press start\nM0\n", "look; press start\n")),
     edit_of(Base::Cooled, edit("missing-wait", SEAL, "G4 P3\n", "")),
     edit("transform", SVG, "<path d=", "<path transform=\"scale(1)\" d="),
     edit(
@@ -175,6 +178,7 @@ fn built(base: Base) -> Built {
         Base::Pressed => "[machine]\nprofile = \"press\"\n",
         Base::Homed => "[machine]\nprofile = \"klipper-printer\"\n",
         Base::Cooled => "[seal]\ncool = \"3 s\"\n",
+        Base::Marked => "[machine]\nmarks = \"pause\"\n",
     };
     let text = format!("{PAPER}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
@@ -196,6 +200,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Pressed,
         Base::Cooled,
         Base::Homed,
+        Base::Marked,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }

@@ -75,6 +75,8 @@ const DESIGNS: &[(&str, &str)] = &[
         "cut-sheet",
         "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n",
     ),
+    ("sheet-marks", "[machine]\nmarks = \"pause\"\n"),
+    ("no-marks", "[machine]\nmarks = \"pause\"\n[sheet]\nhole_diameter = \"0 mm\"\n"),
     ("sheet-too-small", "[sheet]\nwidth = \"100 mm\"\nheight = \"400 mm\"\n"),
     ("short-inlet", "[inlet]\nlength = \"2 mm\"\n"),
     ("small-bed", "[mask]\nbed = \"50 mm x 50 mm\"\n"),

@@ -24,6 +24,11 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
     } else {
         "frame: coordinates of the machine after homing, the sheet lies at place"
     });
+    if let Some(motion) = program.motion {
+        let (turn, x, y) =
+            (number(motion.rotation.to_degrees()), number(motion.shift.x), number(motion.shift.y));
+        writer.facts(&format!("aligned: turn_deg={turn} x_mm={x} y_mm={y}"));
+    }
     match program.purpose {
         Purpose::Seal => {
             seal_facts(writer);

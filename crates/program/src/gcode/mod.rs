@@ -192,6 +192,12 @@ impl<'a> Job<'a> {
                 self.writer.comment(&format!("pause: before={}", next + 1));
                 self.writer.comment("look at the last seam, press start");
             }
+            PauseReason::Mark { number: index, place } => {
+                let [x, y] = [place.x, place.y].map(number);
+                self.writer.comment(&format!("mark: number={index} x_mm={x} y_mm={y}"));
+                self.writer
+                    .comment(&format!("the tip is above mark {index}: mark the sheet, or look; press start"));
+            }
             PauseReason::Tool(tool) => {
                 self.writer.comment(&format!("tool: {}", tool_facts(tool)));
                 self.writer.comment("take the release layer off, keep the sheet where it is");

@@ -51,7 +51,7 @@ fn cut_program(
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
     let placed: Vec<&PlacedPart> = design.on_sheet(sheet).collect();
-    Program::new(cut_spec, machine, scope(Purpose::Cut, sheet, &placed), steps, list)
+    Program::new(cut_spec, machine, scope(Purpose::Cut, sheet, &placed), steps, list).on_sheet_of(design)
 }
 
 /// `cut` as the axis of the tool goes, `offset` mm ahead of what cuts.

@@ -1,7 +1,8 @@
 //! Programs and their steps.
 
 use crate::plan::Pace;
-use geom::{Point, Segment};
+use design::Design;
+use geom::{Isometry, Point, Segment};
 use sealed::{PieceName, SeamName};
 use spec::units::{Duration, Temperature};
 use spec::{CutTool, SealProcess};
@@ -34,6 +35,8 @@ pub struct Program {
     pub processes: Vec<PacedProcess>,
     /// Time of all steps without heating and pauses, s.
     pub time: f64,
+    /// The motion of its sheet, which was found again; `None` for a sheet where it was laid out.
+    pub motion: Option<Isometry>,
 }
 
 /// A process of a program.
@@ -97,6 +100,13 @@ pub enum PauseReason {
     Look(usize),
     /// Another tool in the place of the iron.
     Tool(CutTool),
+    /// The tip is above a mark of the sheet.
+    Mark {
+        /// Number of the mark, from 1.
+        number: usize,
+        /// Place of the mark.
+        place: Point,
+    },
 }
 
 impl Step {
@@ -189,6 +199,12 @@ pub struct SeamReport {
 }
 
 impl Program {
+    /// The program with the motion of its sheet, if `design` has one.
+    pub(super) fn on_sheet_of(self, design: &Design) -> Self {
+        let alignment = design.alignment.filter(|alignment| alignment.sheet == self.sheet);
+        Self { motion: alignment.map(|alignment| alignment.motion), ..self }
+    }
+
     /// The pace of its first process: of a program with one process, that of all seams.
     pub fn pace(&self) -> Pace {
         self.processes.first().map_or(Pace::Steady, |paced| paced.pace)

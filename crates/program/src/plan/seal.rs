@@ -1,5 +1,6 @@
 //! The sealing programs: contact after contact of a job.
 
+use crate::plan::marks::{mark_steps, marks_of};
 use crate::plan::moves::Cuts;
 use crate::plan::program::{PauseReason, SeamList};
 use crate::plan::ramps::without_crumbs;
@@ -26,7 +27,8 @@ pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
     let program = |(sheet, placed): Batch<'_>| {
         let job = SealJob::new(spec, design, &placed, machine.process.ramp.0);
-        seal_program(spec, machine, scope(Purpose::Seal, sheet, &placed), &job)
+        let marks = marks_of(spec, design, sheet);
+        seal_program(spec, machine, scope(Purpose::Seal, sheet, &placed), &job, &marks).on_sheet_of(design)
     };
     batches(design, spec.machine.program).into_iter().map(program).collect()
 }
@@ -36,12 +38,13 @@ pub(super) fn scope(purpose: Purpose, sheet: usize, placed: &[&PlacedPart]) -> S
     Scope { purpose, sheet, pieces: placed.iter().map(|placed| placed.name()).collect() }
 }
 
-/// The program that makes the contacts of `job`, in their order.
+/// The program that stops above `marks`, and makes the contacts of `job`, in their order.
 ///
 /// Before a contact of another temperature, or after which its seam asks for a pause, the iron goes up and home. A seam that cools does
 /// so with the iron at travel height above its end.
-pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob) -> Program {
+pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob, marks: &[Point]) -> Program {
     let mut steps = vec![Step::Height(Height::Park)];
+    steps.extend(mark_steps(marks));
     let mut list = SeamList { seams: Vec::new(), processes: job.processes.clone() };
     let planner = ContactPlanner::of_job(spec, machine, job);
     for (contact, i) in job.contacts.iter().zip(0..) {

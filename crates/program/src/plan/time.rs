@@ -105,7 +105,7 @@ impl Program {
             PacedProcess { process, pace, overdue: 0.0 }
         };
         let processes: Vec<PacedProcess> = processes.into_iter().zip(0..).map(paced).collect();
-        let mut program = Self { purpose, sheet, pieces, steps, seams, processes, time: 0.0 };
+        let mut program = Self { purpose, sheet, pieces, steps, seams, processes, time: 0.0, motion: None };
         let (times, overdue) = times_of(&program, spec, machine);
         program.time = times.last().copied().unwrap_or(0.0);
         for (paced, overdue) in program.processes.iter_mut().zip(overdue) {

@@ -1,5 +1,6 @@
 //! The trace programs: the frame of the pieces and all seams, at travel height, unheated and fast.
 
+use crate::plan::marks::{mark_steps, marks_of};
 use crate::plan::moves::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
 use crate::plan::{Height, Program, Purpose, SeamList, Step};
@@ -18,6 +19,7 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed
     let pieces = &design.pieces(placed);
     let cuts = Cuts::of_trace(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
+    steps.extend(mark_steps(&marks_of(spec, design, *sheet)));
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
         steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.moves(path))]);
@@ -28,5 +30,6 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed
         follow(&seam.run);
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
-    Program::new(spec, machine, scope(Purpose::Trace, *sheet, placed), steps, SeamList::default())
+    let scope = scope(Purpose::Trace, *sheet, placed);
+    Program::new(spec, machine, scope, steps, SeamList::default()).on_sheet_of(design)
 }

@@ -145,6 +145,10 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     }
     outputs.extend(Parts::Results.whole_design(spec));
     outputs.retain(|output| request.includes(output.kind));
+    // Of a sheet that was found again only its programs are made again.
+    if let Some(alignment) = design.alignment {
+        outputs.retain(|output| output.kind.is_source() || output.part.sheet() == Some(alignment.sheet));
+    }
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf if output.kind == Kind::PressPlan => Vec::from_iter(fits.then_some(output)),
         Format::Pdf => output.on_paper(design, fits).collect(),

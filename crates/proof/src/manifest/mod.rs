@@ -9,7 +9,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::artifact::{Artifact, Format, Kind, KindRequest, NGC, Output, OutputPart};
-use design::Paper;
+use design::{Alignment, Paper};
+use geom::Point;
 
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
 pub use coupons::{CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest};
@@ -37,6 +38,9 @@ pub struct Manifest {
     /// The cut of every sheet on the machine; absent without a tool for it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub cuts: Vec<ManifestCut>,
+    /// The marks of a sheet that was found again, and whose programs these are; absent for a sheet where it was laid out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub aligned: Option<ManifestAlignment>,
     /// The frame's posts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub posts: Vec<ManifestPosts>,
@@ -72,6 +76,30 @@ pub struct ManifestCut {
     pub length_mm: f64,
     /// Time of the program without heating and pauses, s.
     pub time_s: f64,
+}
+
+/// A sheet that was found again by its marks.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestAlignment {
+    /// Number of the sheet.
+    pub sheet: usize,
+    /// The place of its first mark, mm.
+    pub mark1: [f64; 2],
+    /// The place of its second mark, mm.
+    pub mark2: [f64; 2],
+}
+
+impl ManifestAlignment {
+    /// The record of `alignment`.
+    pub fn new(alignment: &Alignment) -> Self {
+        let [mark1, mark2] = alignment.measured.map(|mark| [mark.x, mark.y]);
+        Self { sheet: alignment.sheet, mark1, mark2 }
+    }
+
+    /// The places of its marks.
+    pub fn measured(&self) -> [Point; 2] {
+        [self.mark1, self.mark2].map(|[x, y]| Point::new(x, y))
+    }
 }
 
 /// The program that wrote a manifest.

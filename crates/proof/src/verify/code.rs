@@ -37,6 +37,7 @@ codes! {
         LowTrace "low-trace" "A trace program goes below travel height.",
         Manifest "manifest" "The manifest cannot be read, or does not describe the build.",
         MissingFile "missing-file" "A file of the build is not there.",
+        MissingMark "missing-mark" "A program does not stop above a mark of the sheet, or stops elsewhere.",
         MissingOverlap "missing-overlap" "A closed seam does not overlap itself as far as it should.",
         MissingSeam "missing-seam" "A seam of the design is not sealed.",
         MissingWait "missing-wait" "The wait for a seam to cool is missing, or another one.",

@@ -5,6 +5,7 @@
 
 use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::{ProgramTask, ProgramWork};
+use geom::Isometry;
 use sealed::LaidSeam;
 use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate};
 
@@ -12,7 +13,7 @@ use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate};
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 20] = [
+pub(super) const KEYS: [&str; 22] = [
     "program",
     "seal",
     "machine",
@@ -33,6 +34,8 @@ pub(super) const KEYS: [&str; 20] = [
     "cutting",
     "tool",
     "cut",
+    "mark",
+    "aligned",
 ];
 
 /// The comments with one of [`KEYS`] or for the operator, in the order of the file. `chopped`: whether each process of the job consists of
@@ -44,6 +47,9 @@ pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: &[bool]) -> Vec
         ProgramWork::Cut(_) => "cut",
     };
     let mut comments = vec![format!("program: purpose={purpose} {}", task.scope)];
+    comments.extend(task.motion.map(|Isometry { rotation, shift, .. }| {
+        format!("aligned: turn_deg={} x_mm={} y_mm={}", rotation.to_degrees(), shift.x, shift.y)
+    }));
     if let ProgramWork::Cut(tool) = task.work {
         cutting(task, tool, &mut comments);
     }
@@ -57,9 +63,19 @@ pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: &[bool]) -> Vec
         if !task.job.is_plain() {
             processes_and_contacts(task, chopped, &mut comments);
         }
+        comments.extend(marks(task));
         contacts(task, &mut comments);
     }
+    if task.work == ProgramWork::Trace {
+        comments.extend(marks(task));
+    }
     comments
+}
+
+/// Each stop above a mark.
+fn marks<'t>(task: &'t ProgramTask<'_>) -> impl Iterator<Item = String> + 't {
+    let marks = task.marks.iter().zip(1..);
+    marks.map(|(mark, number)| format!("mark: number={number} x_mm={} y_mm={}", mark.x, mark.y))
 }
 
 /// Every process, a fact a comment, and the process of every contact.

@@ -51,6 +51,8 @@ impl FeedCheckTask<'_> {
             job: SealJob::default(),
             frame: lines.first().cloned().unwrap_or_default(),
             area,
+            marks: Vec::new(),
+            motion: None,
         };
         let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
         let judges: Vec<Box<dyn Judge + '_>> = vec![

@@ -167,16 +167,21 @@ impl Judge for IronRest<'_> {
     }
 }
 
-/// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
-pub(super) struct Cold<'a>(pub(super) &'a IronRules<'a>);
+/// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through, but for the stops
+/// above marks.
+pub(super) struct Cold<'a> {
+    pub(super) rules: &'a IronRules<'a>,
+    /// Number of stops above marks that are still to come.
+    pub(super) marks: usize,
+}
 
 impl Judge for Cold<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
-        if !self.0.is_clear(step) {
+        if !self.rules.is_clear(step) {
             let fault = format!("Z{}", step.to.z);
             findings.add_at(FindingCode::LowTrace, step.line, fault, "travel height or above");
         }
-        let speed = self.0.process.trace_speed.0 * 60.0;
+        let speed = self.rules.process.trace_speed.0 * 60.0;
         let right = step.feed.is_some_and(|feed| (feed - speed).abs() <= 1e-3 * speed);
         if step.kind == MoveKind::Feed && !right {
             let fault = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
@@ -185,6 +190,10 @@ impl Judge for Cold<'_> {
     }
 
     fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
+        if self.marks > 0 {
+            self.marks -= 1;
+            return;
+        }
         let (fault, allowed) = ("a pause as for heating", "a trace without heating and pauses");
         findings.add_at(FindingCode::HotTrace, pause.line, fault, allowed);
     }

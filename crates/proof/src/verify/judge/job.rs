@@ -6,6 +6,7 @@ use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
+use crate::verify::judge::marks::MarkJudge;
 use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
@@ -18,10 +19,11 @@ use crate::verify::{FindingCode, Findings};
 use geom::Bounds;
 
 impl ProgramTask<'_> {
-    /// The number of pauses: one for each heating by the operator, one wherever a seam asks for it, and one for another tool.
+    /// The number of pauses: one for each heating by the operator, one wherever a seam asks for it, one for another tool, and one above every
+    /// mark.
     fn pauses(&self) -> usize {
         let tools = match self.work {
-            ProgramWork::Trace => return 0,
+            ProgramWork::Trace => return self.marks.len(),
             ProgramWork::Seal => 0,
             ProgramWork::Cut(_) => 1,
         };
@@ -30,7 +32,7 @@ impl ProgramTask<'_> {
             let stop = self.job.stop_before(i);
             usize::from(stop.pauses) + usize::from(by_operator && stop.heat.is_some())
         };
-        tools + (0..self.job.contacts.len()).map(of_stop).sum::<usize>()
+        self.marks.len() + tools + (0..self.job.contacts.len()).map(of_stop).sum::<usize>()
     }
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
@@ -56,10 +58,11 @@ impl ProgramTask<'_> {
             judges.extend(iron(&rules));
         } else {
             judges.push(Box::new(TravelFeed(machine.process.travel_speed)));
-            judges.push(Box::new(Cold(&rules)));
+            judges.push(Box::new(Cold { rules: &rules, marks: self.marks.len() }));
         }
         judges.push(Box::new(CommentJudge::new(self)));
-        judges.push(Box::new(TravelOrder::new(heights, legs(self), work.title(), tolerance)));
+        judges.push(Box::new(MarkJudge::new(&self.marks, heights.travel.0, tolerance)));
+        judges.push(Box::new(TravelOrder::new(heights, &self.marks, legs(self), work.title(), tolerance)));
         judges.push(match work {
             ProgramWork::Trace => Box::new(Traced::new(self)),
             ProgramWork::Cut(tool) if tool.blade_offset().0 > 0.0 => {

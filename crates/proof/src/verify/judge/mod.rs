@@ -10,6 +10,7 @@ pub(super) mod files;
 mod height;
 pub(super) mod iron;
 mod job;
+mod marks;
 mod pace;
 pub(super) mod path;
 mod ready;

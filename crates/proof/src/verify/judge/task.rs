@@ -1,9 +1,9 @@
 //! The task of one program: its seams, their places, and their names in its comments.
 
-use design::{Design, PlacedPart, SealJob, SheetLayout};
-use geom::{Bounds, Path, Point};
+use design::{Design, PlacedPart, SealJob};
+use geom::{Bounds, Isometry, Path, Point};
 use sealed::{LaidSeam, PieceName, frame, laid_seams, scope};
-use spec::{CutTool, Machine, Spec};
+use spec::{CutTool, Machine, Marks, Spec};
 
 /// What a program does along its paths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,10 @@ pub struct ProgramTask<'a> {
     pub frame: Path,
     /// The work area of the iron.
     pub area: Bounds,
+    /// The marks above which it stops first.
+    pub marks: Vec<Point>,
+    /// The motion of its sheet, which was found again; `None` for a sheet where it was laid out.
+    pub motion: Option<Isometry>,
 }
 
 impl<'a> ProgramTask<'a> {
@@ -56,7 +60,6 @@ impl<'a> ProgramTask<'a> {
         sheet: usize,
         piece: Option<usize>,
     ) -> Option<Self> {
-        let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         let placed: Vec<&PlacedPart> = match piece {
             Some(index) => design.on_sheet(sheet).filter(|placed| placed.index == index).collect(),
             None => design.nearest_first(sheet),
@@ -73,7 +76,9 @@ impl<'a> ProgramTask<'a> {
             frame: frame(&pieces, &seams),
             seams,
             job: SealJob::new(spec, design, &placed, machine.process.ramp.0),
-            area: area(machine, layout),
+            area: area(machine, design, sheet)?,
+            marks: marks(spec, design, sheet),
+            motion: motion(design, sheet),
         })
     }
 
@@ -83,7 +88,6 @@ impl<'a> ProgramTask<'a> {
         tool: CutTool,
         sheet: usize,
     ) -> Option<Self> {
-        let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         let names: Vec<PieceName> = design.on_sheet(sheet).map(PlacedPart::name).collect();
         // An axis that leads a blade may be ahead of the sheet's edge.
         let reach = tool.blade_offset().0;
@@ -95,15 +99,30 @@ impl<'a> ProgramTask<'a> {
             seams: Vec::new(),
             job: SealJob::of_cuts(spec, design, sheet, machine.process.ramp.0),
             frame: Path::default(),
-            area: area(machine, layout).grown(reach),
+            area: area(machine, design, sheet)?.grown(reach),
+            marks: Vec::new(),
+            motion: motion(design, sheet),
         })
     }
 }
 
-/// The part of a sheet that `machine` reaches.
-fn area(machine: &Machine, layout: &SheetLayout) -> Bounds {
-    let corner = Point::new(layout.width, layout.height);
-    let reach = machine.bench.work_area;
-    let max = reach.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
-    Bounds { min: Point::ORIGIN, max }
+/// The part of a sheet that `machine` reaches, with the sheet's corner where programs begin; `None` if there is no such sheet.
+fn area(machine: &Machine, design: &Design, sheet: usize) -> Option<Bounds> {
+    let bounds = design.sheet_bounds(sheet)?.union(Bounds::of_points([Point::ORIGIN]));
+    let Some((x, y)) = machine.bench.work_area else { return Some(bounds) };
+    let min = Point::new(bounds.min.x.max(0.0), bounds.min.y.max(0.0));
+    Some(Bounds { min, max: Point::new(bounds.max.x.min(x.0), bounds.max.y.min(y.0)) })
+}
+
+/// The marks of a sheet above which programs of `spec` stop.
+fn marks(spec: &Spec, design: &Design, sheet: usize) -> Vec<Point> {
+    match spec.machine.marks {
+        Marks::Ignored => Vec::new(),
+        Marks::Pause => design.marks(sheet).map_or_else(Vec::new, Vec::from),
+    }
+}
+
+/// The motion of a sheet that was found again.
+fn motion(design: &Design, sheet: usize) -> Option<Isometry> {
+    design.alignment.filter(|alignment| alignment.sheet == sheet).map(|alignment| alignment.motion)
 }

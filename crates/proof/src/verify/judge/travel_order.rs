@@ -44,9 +44,10 @@ pub(super) struct TravelOrder {
 }
 
 impl TravelOrder {
-    /// The way along `legs`, each with an announcement of the key `title`.
+    /// The way above `marks` and then along `legs`, each with an announcement of the key `title`.
     pub(super) fn new(
         heights: &Heights,
+        marks: &[Point],
         legs: impl IntoIterator<Item = Leg>,
         title: Option<&'static str>,
         tolerance: f64,
@@ -55,6 +56,13 @@ impl TravelOrder {
         let home = |x| Waypoint::Rapid([x, x, Some(park)]);
         let mut position = [None, None, Some(park)];
         let mut waypoints = vec![Waypoint::Rapid(position)];
+        for mark in marks {
+            let above = |height: f64| Waypoint::Rapid([Some(mark.x), Some(mark.y), Some(height)]);
+            waypoints.extend([above(park), above(travel), Waypoint::Comment("mark"), above(park)]);
+        }
+        if !marks.is_empty() {
+            waypoints.push(home(Some(0.0)));
+        }
         for (Leg { start, stop, cools }, i) in legs.into_iter().zip(0..) {
             if i > 0 && !stop.is_empty() {
                 // The end of the last path is checked by the path's judge.
@@ -138,7 +146,7 @@ impl Judge for TravelOrder {
     }
 
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut"]
+        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut", "mark"]
             .into_iter()
             .find(|key| comment.key() == Some(*key))
         {
@@ -192,6 +200,7 @@ mod tests {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
         let judge = TravelOrder::new(
             &heights,
+            &[],
             [Leg { start: Point::new(10.0, 20.0), stop: vec!["heat"], cools: false }],
             Some("seam"),
             1e-3,

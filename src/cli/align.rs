@@ -1,0 +1,110 @@
+//! `stargrip-cam align`
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use crate::cli::escape::shown;
+use crate::cli::failure::{Failure, tell};
+use crate::cli::progress;
+use crate::cli::publish::publish;
+use crate::cli::verbosity::Verbosity;
+use crate::cli::verify::{holds_a_build, read_directory};
+use crate::pipeline::{Proven, align};
+use geom::Point;
+use spec::units::{Length, Quantity};
+
+/// Largest coordinate of a mark, mm.
+const FARTHEST: f64 = 1e6;
+
+/// Arguments of `align`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The directory that `build` published.
+    dir: PathBuf,
+    /// Where the first mark lies now, as the machine shows it in mm: "12.3, 8.1".
+    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true)]
+    mark1: Point,
+    /// Where the second mark lies now: "310.2, 290.4".
+    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true)]
+    mark2: Point,
+    /// The sheet that lies on the machine, if there are several.
+    #[arg(long, value_name = "NUMBER")]
+    sheet: Option<usize>,
+    /// The directory to write; default: the name of the build with -aligned, beside it.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    verbosity: Verbosity,
+}
+
+/// Two coordinates, in mm or with their units.
+pub(super) fn mark(text: &str) -> Result<Point, String> {
+    let coordinate = |text: &str| {
+        let text = text.trim();
+        let is_plain = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+        let number =
+            if is_plain { text.parse().ok() } else { Length::parse(text).ok().map(|length| length.0) };
+        number.filter(|x: &f64| x.abs() <= FARTHEST)
+    };
+    let (x, y) = text.split_once(',').unwrap_or((text, ""));
+    match (coordinate(x), coordinate(y)) {
+        (Some(x), Some(y)) => Ok(Point::new(x, y)),
+        _ => Err("two coordinates in mm, such as \"12.3, 8.1\"".to_owned()),
+    }
+}
+
+/// The build in `dir` with the programs for a sheet whose marks lie at `measured`.
+pub(super) fn aligned(
+    dir: &Path,
+    sheet: Option<usize>,
+    measured: [Point; 2],
+    verbosity: Verbosity,
+) -> Result<Proven, Failure> {
+    holds_a_build(dir)?;
+    let (_, files) = read_directory(dir)?;
+    progress::during(verbosity, "aligning", |_| align(&files, sheet, measured))
+        .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(dir))))
+}
+
+/// Publishes the programs for the moved sheet.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let proven = aligned(&args.dir, args.sheet, [args.mark1, args.mark2], args.verbosity)?;
+    let target = args.output.clone().unwrap_or_else(|| beside(&args.dir));
+    tell(&publish(&target, &proven)?.to_string());
+    let Some(alignment) = proven.built().forecast.design.alignment else { return Ok(()) };
+    let (turn, shift) = (alignment.motion.rotation.to_degrees(), alignment.motion.shift);
+    let names: Vec<&str> = proven
+        .built()
+        .artifacts
+        .iter()
+        .filter(|file| !file.output.kind.is_source())
+        .map(|file| file.name.as_str())
+        .collect();
+    let text = format!(
+        "wrote {}\nsheet {}: turned by {turn:.3} deg, shifted by X {:.2} Y {:.2} mm; the marks are {:+.2} mm off their distance\n\
+         {}\nproven where the sheet lies now; the machine's zero stays where it was when the marks were measured\n",
+        shown(&target),
+        alignment.sheet,
+        shift.x,
+        shift.y,
+        alignment.stretch,
+        names.join(", ")
+    );
+    let json = json!({
+        "wrote": target.to_string_lossy(),
+        "sheet": alignment.sheet,
+        "turn_deg": turn,
+        "shift_mm": [shift.x, shift.y],
+        "stretch_mm": alignment.stretch,
+        "programs": names,
+    });
+    args.verbosity.report(&text, &json)
+}
+
+/// The default directory: beside the build.
+fn beside(dir: &Path) -> PathBuf {
+    let whole = dir.canonicalize().unwrap_or_else(|_| dir.to_path_buf());
+    let name = whole.file_name().unwrap_or_default().to_string_lossy();
+    whole.with_file_name(format!("{name}-aligned"))
+}
