@@ -128,9 +128,11 @@ pub fn coupon_keywords() -> Vec<String> {
     keywords::<coupon::Args>()
 }
 
-/// The options of `resume` as keywords of a function.
+/// The options of `resume` as keywords of a function; marks need a directory.
 pub fn resume_keywords() -> Vec<String> {
-    keywords::<resume::Args>()
+    let mut keywords = keywords::<resume::Args>();
+    keywords.retain(|keyword| !resume::MARKS.contains(&keyword.as_str()));
+    keywords
 }
 
 /// The options of `optimize` as keywords of a function.

@@ -20,6 +20,9 @@ use geom::Point;
 use spec::units::{Duration, Length, Percent, Quantity};
 use spec::{Fault, Faults};
 
+/// The options of `resume` that need the directory of the job.
+pub(super) const MARKS: [&str; 2] = ["mark1", "mark2"];
+
 /// Arguments of `resume`.
 #[derive(clap::Args, Debug)]
 #[command(group(clap::ArgGroup::new("place").required(true)))]

@@ -1,5 +1,6 @@
 //! The program as a user runs it, command by command.
 
+mod align;
 mod choosing;
 mod desk;
 mod diagnostics;

@@ -12,7 +12,7 @@ use design::{PlacedPart, StarAssembly};
 use program::plan::SeamReport;
 use program::text::{inert, shortened};
 use spec::units::Readable;
-use spec::{NAME_LENGTH, Seal, SealProcess};
+use spec::{CutProcess, NAME_LENGTH, Seal, SealProcess};
 
 /// Length of the scale bar, mm.
 const SCALE_BAR: f64 = 50.0;
@@ -42,6 +42,9 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
             process.name, process.seal.temperature, process.seal.speed
         ));
         block.say(format!("    {}", repeats(&process)));
+    }
+    if let Some(CutProcess { tool, speed, .. }) = spec.cut.program {
+        block.say(format!("then cut at {speed} with a {}", tool.in_words()));
     }
     block.say(format!("machine: {}", shortened(&machine.name, 40)));
     if let Some((x, y)) = machine.bench.work_area {

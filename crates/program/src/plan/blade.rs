@@ -57,9 +57,9 @@ mod tests {
     #[test]
     fn the_axis_is_ahead_of_the_tip_and_its_way_has_no_gap() {
         let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 6.0)].map(|(x, y)| Point::new(x, y));
-        let mut segments = Path::through(&points).segments;
+        let mut segments = Path::polyline(&points).segments;
         segments.push(Arc::new(Point::new(8.0, 6.0), 2.0, 0.0, FRAC_PI_2).into());
-        segments.extend(Path::through(&[Point::new(8.0, 8.0), Point::new(0.0, 8.0), points[0]]).segments);
+        segments.extend(Path::polyline(&[Point::new(8.0, 8.0), Point::new(0.0, 8.0), points[0]]).segments);
         let square = Path::open(segments);
         for tip in [square.clone(), square.reversed()] {
             let [axis] = axis_paths([&tip], 0.5);

@@ -99,7 +99,7 @@ impl<'a> ProgramTask<'a> {
             seams: Vec::new(),
             job: SealJob::of_cuts(spec, design, sheet, machine.process.ramp.0),
             frame: Path::default(),
-            area: area(machine, design, sheet)?.grown(reach),
+            area: area(machine, design, sheet)?.outset(reach),
             marks: Vec::new(),
             motion: motion(design, sheet),
         })
