@@ -7,18 +7,19 @@ use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
 use stargrip_cam::spec::{self, Code, Machine, Source};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
-const HOT: &str = "tool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n";
+const HOT: &str = "tool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"10 mm/s\"\nheight = \"-1 mm\"\n";
 const KNIFE: &str =
     "tool = \"drag-knife\"\nblade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n";
 
-const PROFILES: [&str; 7] = ["generic", "grbl", "grblhal", "fluidnc", "linuxcnc", "marlin", "klipper"];
+const PROFILES: [&str; 8] =
+    ["generic", "grbl", "grblhal", "fluidnc", "linuxcnc", "marlin", "klipper", "reprapfirmware"];
 
 /// Two stars whose sheet is cut by the keys `cut`, for `profile`.
 fn text(profile: &str, cut: &str, kerf: &str) -> String {
     format!(
         "schema = 1\nname = \"cut\"\n[star]\npoints = 5\ninner_radius = \"40 mm\"\ntube_width = \"24 mm\"\n\
-         tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"5 mm/s\"\n[cut]\nkerf = {kerf:?}\n{cut}\
-         [machine]\nprofile = {profile:?}\nfeed_floor = \"chop\"\n[inlet]\nnone = true\n"
+         tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"10 mm/s\"\n[cut]\nkerf = {kerf:?}\n{cut}\
+         [machine]\nprofile = {profile:?}\n[inlet]\nnone = true\n"
     )
 }
 
@@ -152,7 +153,7 @@ fn a_cut_that_cannot_be_made_is_refused_with_its_key() {
     for (profile, cut, code) in [
         ("generic", HOT.replace("-1 mm", "-0.3 mm"), "shallow-cut"),
         ("generic", KNIFE.replace("-0.8 mm", "0 mm"), "shallow-cut"),
-        ("grbl", HOT.replace("5 mm/s", "0.1 mm/s"), "feed-floor"),
+        ("grbl", HOT.replace("10 mm/s", "0.1 mm/s"), "feed-floor"),
     ] {
         let codes = built_for(profile, &cut, "0.4 mm").map(|_| ()).expect_err("refused");
         assert_eq!(codes, [code], "{profile}: {cut}");

@@ -9,7 +9,7 @@ use stargrip_cam::spec::{self, Machine, Source, Spec};
 use stargrip_cam::verify::OutputFiles;
 
 const TEXT: &str = "schema = 1\nname = \"marked\"\n[star]\npoints = 5\ninner_radius = \"40 mm\"\ntube_width = \"24 mm\"\n\
-    tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"5 mm/s\"\n[cut]\ntool = \"drag-knife\"\n\
+    tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"10 mm/s\"\n[cut]\ntool = \"drag-knife\"\n\
     blade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n[machine]\nmarks = \"pause\"\n";
 
 fn spec_of(text: &str) -> Spec {
@@ -45,7 +45,7 @@ fn measured(design: &Design, degrees: f64, shift: Vec2) -> [Point; 2] {
 #[test]
 fn trace_and_seal_stop_above_both_marks() {
     for profile in ["generic", "grbl", "linuxcnc", "marlin", "klipper", "reprapfirmware"] {
-        let build = built(&format!("{TEXT}profile = {profile:?}\nfeed_floor = \"chop\"\n"));
+        let build = built(&format!("{TEXT}profile = {profile:?}\n"));
         assert_eq!(read_back(&files_of(&build)).findings, [], "{profile}");
         for file in &build.artifacts {
             let kind = file.output.kind;
@@ -125,7 +125,9 @@ fn a_sheet_beyond_the_work_area_is_refused() {
     let (spec, design) = (spec_of(&text), design_of(TEXT));
     let size = design.sheets[0];
     let generic = spec::builtin_machine("generic").expect("built in");
-    let profile = format!("{generic}\n[work_area]\nx = \"{} mm\"\ny = \"{} mm\"\n", size.width, size.height);
+    let reach = |axis: &str, mm: f64| (format!("{axis} = \"unknown\""), format!("{axis} = \"{mm} mm\""));
+    let [(no_x, x), (no_y, y)] = [reach("x", size.width), reach("y", size.height)];
+    let profile = generic.replacen(&no_x, &x, 1).replacen(&no_y, &y, 1);
     let machine = spec::read_machine(&Source::new("own.toml", profile.as_str()))
         .unwrap_or_else(|faults| panic!("{faults}"));
     let sources = Sources { spec: &text, machine: &profile };

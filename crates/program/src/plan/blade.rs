@@ -64,8 +64,8 @@ mod tests {
         for tip in [square.clone(), square.reversed()] {
             let [axis] = axis_paths([&tip], 0.5);
             assert!(axis.largest_gap() < 1e-12, "{}", axis.largest_gap());
-            // Three corners within the open path.
-            assert_eq!(axis.segments.len(), tip.segments.len() + 3);
+            // Two corners within the open path.
+            assert_eq!(axis.segments.len(), tip.segments.len() + 2);
             for (piece, led) in tip.segments.iter().zip(
                 axis.segments
                     .iter()

@@ -6,11 +6,11 @@ use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
-use crate::verify::judge::marks::MarkJudge;
 use crate::verify::judge::ready::ReadyJudge;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::{Sealed, Traced, legs};
+use crate::verify::judge::stops::StopJudge;
 use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::judge::travel_order::TravelOrder;
 use crate::verify::judge::{Judge, judged};
@@ -61,7 +61,7 @@ impl ProgramTask<'_> {
             judges.push(Box::new(Cold { rules: &rules, marks: self.marks.len() }));
         }
         judges.push(Box::new(CommentJudge::new(self)));
-        judges.push(Box::new(MarkJudge::new(&self.marks, heights.travel.0, tolerance)));
+        judges.push(Box::new(StopJudge::new(&self.marks, heights.travel.0, tolerance)));
         judges.push(Box::new(TravelOrder::new(heights, &self.marks, legs(self), work.title(), tolerance)));
         judges.push(match work {
             ProgramWork::Trace => Box::new(Traced::new(self)),

@@ -1,45 +1,57 @@
-//! The stops above the marks of a sheet: each at travel height, where the design has its mark.
+//! Stops that a program announces: it waits for the operator after each announcement, and above the marks of a sheet at travel height,
+//! where the design has them.
 
 use crate::verify::judge::{HEIGHT, Judge};
 use crate::verify::read::gcode::{BlindMove, Comment, Move, Pause};
 use crate::verify::{FindingCode, Findings};
 use geom::Point;
 
-/// Reports every mark at which a program does not stop, and every stop that is announced as one and is elsewhere.
-pub(super) struct MarkJudge<'a> {
+/// The key of the comment that announces a stop above a mark.
+const MARK: &str = "mark";
+/// The keys of the comments that announce a stop, besides those for the heat, which the interpreter follows.
+const STOPS: [&str; 3] = [MARK, "tool", "pause"];
+
+/// Reports every announced stop that does not come, and every stop above a mark that is elsewhere, or is missing.
+pub(super) struct StopJudge<'a> {
     marks: &'a [Point],
     /// Height of travels, mm, and slack on places, mm.
     travel: f64,
     tolerance: f64,
     /// Number of stops so far.
     stops: usize,
-    /// Line of the comment that announces a stop which has not come yet.
-    announced: Option<usize>,
+    /// The announcement of a stop that has not come yet.
+    announced: Option<Announcement>,
 }
 
-impl<'a> MarkJudge<'a> {
+/// A comment that announces a stop.
+#[derive(Clone, Copy)]
+struct Announcement {
+    line: usize,
+    key: &'static str,
+}
+
+impl<'a> StopJudge<'a> {
     pub(super) fn new(marks: &'a [Point], travel: f64, tolerance: f64) -> Self {
         Self { marks, travel, tolerance, stops: 0, announced: None }
     }
 
     /// Reports a stop that was announced and is not there.
     fn end_announcement(&mut self, findings: &mut Findings) {
-        if let Some(line) = self.announced.take() {
-            findings.add_at(
-                FindingCode::MissingMark,
-                line,
-                "no pause at the mark",
-                "a pause above every mark",
-            );
-        }
+        let Some(Announcement { line, key }) = self.announced.take() else { return };
+        let code = if key == MARK { FindingCode::MissingMark } else { FindingCode::ProfileLine };
+        findings.add_at(code, line, format!("the comment {key:?} without a pause after it"), "a pause there");
     }
 }
 
-impl Judge for MarkJudge<'_> {
+impl Judge for StopJudge<'_> {
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if comment.key() == Some("mark") {
+        let key = comment.key();
+        if key == Some("heat") {
             self.end_announcement(findings);
-            self.announced = Some(comment.line);
+        }
+        if let Some(key) = STOPS.into_iter().find(|stop| key == Some(*stop)) {
+            self.end_announcement(findings);
+            self.announced = Some(Announcement { line: comment.line, key });
         }
     }
 
@@ -52,7 +64,7 @@ impl Judge for MarkJudge<'_> {
     }
 
     fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
-        if self.announced.take().is_none() {
+        if self.announced.take().is_none_or(|announcement| announcement.key != MARK) {
             return;
         }
         let mark = self.marks.get(self.stops).copied();
