@@ -104,7 +104,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// The default directory: beside the build.
 fn beside(dir: &Path) -> PathBuf {
-    let whole = dir.canonicalize().unwrap_or_else(|_| dir.to_path_buf());
-    let name = whole.file_name().unwrap_or_default().to_string_lossy();
-    whole.with_file_name(format!("{name}-aligned"))
+    // `.` and `..` have no name of their own.
+    named_beside(dir)
+        .or_else(|| named_beside(&dir.canonicalize().ok()?))
+        .unwrap_or_else(|| PathBuf::from("aligned"))
+}
+
+/// The directory beside `dir` that is named after it; `None` if it has no name.
+fn named_beside(dir: &Path) -> Option<PathBuf> {
+    Some(dir.with_file_name(format!("{}-aligned", dir.file_name()?.to_string_lossy())))
 }

@@ -87,7 +87,7 @@ const EDITS: &[Edit] = &[
         "G1 X259.8731 Y224.3576 Z1\nG1 X262.8394 Y228.0206 Z-0.3\n",
     ),
     edit("missing-overlap", SEAL, "G1 X254.1209 Y217.2541\nG1 X256.0089", "G1 X256.0089"),
-    edit_of(Base::Marked, edit("missing-mark", TRACE, "look; press start\nM0\n", "look; press start\n")),
+    edit_of(Base::Marked, edit("missing-mark", TRACE, "look, press start\nM0\n", "look, press start\n")),
     edit_of(Base::Cooled, edit("missing-wait", SEAL, "G4 P3\n", "")),
     edit("transform", SVG, "<path d=", "<path transform=\"scale(1)\" d="),
     edit(

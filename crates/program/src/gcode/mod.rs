@@ -196,7 +196,7 @@ impl<'a> Job<'a> {
                 let [x, y] = [place.x, place.y].map(number);
                 self.writer.comment(&format!("mark: number={index} x_mm={x} y_mm={y}"));
                 self.writer
-                    .comment(&format!("the tip is above mark {index}: mark the sheet, or look; press start"));
+                    .comment(&format!("the tip is above mark {index}: mark the sheet or look, press start"));
             }
             PauseReason::Tool(tool) => {
                 self.writer.comment(&format!("tool: {}", tool_facts(tool)));
