@@ -208,7 +208,7 @@ mod tests {
                     .to_owned(),
                 vec!["out-of-range"; 2],
             ),
-            (format!("{hot}temperature = \"nan C\"\n"), vec!["not-a-quantity"]),
+            (format!("{hot}temperature = \"nan C\"\n"), vec!["not-a-number"]),
         ] {
             let faults = reading(&cut).expect_err("a fault");
             let found: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
