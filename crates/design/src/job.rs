@@ -117,7 +117,7 @@ impl SealJob {
                 let seam = Seam { overlap: CUT_OVERLAP, ..Seam::weld(path.starting_at(calm_place(&path))) };
                 let name = PieceName::Named(format!("{}-{number}", layer.name()));
                 let laid = LaidSeam::new(&name, &seam, Isometry::IDENTITY, ramp);
-                job.contacts.push(Contact { laid, process: 0, line: 1, pass: 1 });
+                job.contacts.push(SealContact { laid, process: 0, line: 1, pass: 1 });
             }
         }
         job

@@ -10,7 +10,7 @@ use crate::plan::reach::beyond;
 use crate::plan::refusals::contradictions;
 use crate::plan::seal::{ContactPlanner, scope};
 use crate::plan::{Height, Program, Purpose, Step, actual_speed};
-use design::{Contact, Design, PlacedPart, Refusal, RefusalCode, Refusals, SealJob};
+use design::{Design, PlacedPart, Refusal, RefusalCode, Refusals, SealContact, SealJob};
 use geom::{Arc, Path, Point, Segment};
 use sealed::LaidSeam;
 use spec::units::{Least, Readable};
@@ -36,12 +36,12 @@ fn cut_program(
     sheet: usize,
 ) -> Program {
     let job = SealJob::of_cuts(cut_spec, design, sheet, machine.process.ramp.0);
-    let planners = ContactPlanner::all(cut_spec, machine, &job);
+    let planners = ContactPlanner::of_job(cut_spec, machine, &job);
     let mut steps = vec![Step::Height(Height::Park), Step::Pause(PauseReason::Tool(process.tool))];
     steps.extend(process.tool.temperature().map(Step::Heat));
     let mut list = SeamList { seams: Vec::new(), processes: job.processes.clone() };
     for contact in &job.contacts {
-        let led = Contact { laid: led(&contact.laid, process.tool.blade_offset().0), ..contact.clone() };
+        let led = SealContact { laid: led(&contact.laid, process.tool.blade_offset().0), ..contact.clone() };
         let planner = &planners[contact.process];
         // Length and time are those of the cut: an axis that leads a blade swivels on top.
         let (Some(plan), Some(cut)) = (planner.plan(&led), planner.plan(contact)) else { continue };
