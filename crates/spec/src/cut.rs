@@ -2,7 +2,7 @@
 
 use crate::allowed::{Allowed, EXTRA};
 use crate::fault::Fault;
-use crate::profile::{CONTACT, to_micrometres};
+use crate::machine::{CONTACT, to_micrometres};
 use crate::section::Section;
 use crate::units::{Duration, Length, Speed, Temperature};
 use crate::{Colours, FaultCode, FeedFloor, MachineChoice, Seal, SealPause, Spec};
