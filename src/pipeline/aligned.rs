@@ -8,7 +8,7 @@ use crate::pipeline::proven::prove_files;
 use crate::pipeline::{Planned, Proven, Sources, planned, refused};
 use design::{AlignmentFault, Design, Refusals};
 use forecast::drawn::Watch;
-use geom::Point;
+use geom::{Point, Vec2};
 use proof::artifact::{Kind, KindRequest};
 use proof::verify::{Finding, OutputFiles};
 use spec::{Machine, Spec};
@@ -114,6 +114,9 @@ pub fn align(
     let (reading, profile) = sources_of(files).map_err(|findings| {
         AlignedFault::NotABuild(findings.first().map_or_else(String::new, ToString::to_string))
     })?;
+    // The machine shows its own coordinates, and the sheet may have a place in them.
+    let [x, y, _] = profile.controller.place.shift();
+    let measured = measured.map(|mark| mark - Vec2::new(x, y));
     let planned = Planned::aligned(reading.spec, profile, sheet, measured)?;
     let forecast = planned.forecast(&Watch::default()).map_err(AlignedFault::Refused)?;
     let built = forecast.build(Sources { spec, machine }, &KindRequest::exactly(&kinds));
