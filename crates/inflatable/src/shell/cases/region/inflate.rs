@@ -84,7 +84,7 @@ const FADED: f64 = 20.0;
 /// What the law leaves open, by its distance from both ends: ranges on coarse meshes then contain those shells.
 const OPEN: f64 = 1.6;
 /// Newton steps on one mesh above which a sheet counts as not resolved; usual are 50 to 150, at most 200.
-const MOST_STEPS: u32 = 300;
+const MOST_STEPS: u32 = 250;
 
 /// Largest 1/eps at which the wrinkles of `chamber`, `width` wide, are resolved.
 fn most_resolved(chamber: &FlatChamber, width: f64) -> f64 {
@@ -185,17 +185,14 @@ fn lowest(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedRegion, ShellFault> {
-    let from_flat = Run::resolved(tube, Approach::FromFlat).on_meshes(case, fineness, watch);
-    if tube.bendability() < LEAST_FOLDED || matches!(from_flat, Err(ShellFault::Cancelled)) {
-        return from_flat;
+    let from_flat = Run::resolved(tube, Approach::FromFlat).on_meshes(case, fineness, watch)?;
+    if tube.bendability() < LEAST_FOLDED {
+        return Ok(from_flat);
     }
-    let from_above = Run::resolved(tube, Approach::FromAbove).on_meshes(case, fineness, watch);
-    match (from_flat, from_above) {
-        (Ok(first), Ok(second)) => Ok(lower_of(first, second)),
-        (Ok(shape), Err(ShellFault::Stopped { .. })) | (Err(ShellFault::Stopped { .. }), Ok(shape)) => {
-            Ok(shape)
-        }
-        (Ok(_), Err(fault)) | (Err(fault), _) => Err(fault),
+    match Run::resolved(tube, Approach::FromAbove).on_meshes(case, fineness, watch) {
+        Ok(from_above) => Ok(lower_of(from_flat, from_above)),
+        Err(ShellFault::Stopped { .. }) => Ok(from_flat),
+        Err(fault) => Err(fault),
     }
 }
 
