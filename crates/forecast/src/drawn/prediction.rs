@@ -168,17 +168,22 @@ pub struct SecondShape {
 }
 
 impl SecondShape {
-    fn new(region: &InflatedRegion) -> Option<Self> {
+    fn new(region: &InflatedRegion, pull: MeshedPlace) -> Option<Self> {
         let second = region.second.as_deref()?;
         let difference = [0, 1, 2].map(|mesh| second.energy.meshes[mesh] - region.energy.meshes[mesh]);
         Some(Self {
             height_mm: MeshedPlace::rounded(second.height.scaled(1e3), second.height_at),
             extents_mm: second.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3))),
             volume_mm3: MeshedValue::rounded(second.volume.scaled(1e9)),
-            seal_pull_N_per_mm: MeshedPlace::rounded(second.seal_pull.scaled(1e-3), second.pull_at),
+            seal_pull_N_per_mm: pull,
             more_energy_mJ: MeshedValue::rounded(Value::new(difference).scaled(1e3)),
         })
     }
+}
+
+/// The largest pull on a seam.
+fn largest_pull(seams: &[SeamPrediction]) -> Option<MeshedPlace> {
+    seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
 /// Whether a chamber stays in the plane of the drawing, by the lowest eigenvalue and two of its mesh errors.
@@ -238,14 +243,14 @@ impl ChamberPrediction {
         processes: &SeamStrengths,
     ) {
         let seams = seam_predictions(region, pieces);
-        let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
+        let largest = largest_pull(&seams);
+        let second_seams = region.second.as_deref().map(|second| seam_predictions(second, pieces));
+        let second_pull = second_seams.as_deref().and_then(largest_pull);
         // Folds may pull harder than their mean.
         let is_averaged = region.wrinkles == Wrinkles::Averaged;
         let mut opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
-        let second_opening = region
-            .second
-            .as_deref()
-            .and_then(|second| processes.first_opening(&seam_predictions(second, pieces), pressure));
+        let second_opening =
+            second_seams.as_deref().and_then(|seams| processes.first_opening(seams, pressure));
         if let Some(((_, (_, range)), (_, (_, [low, high])))) = opening.as_mut().zip(second_opening) {
             *range = [range[0].min(low), range[1].max(high)];
         }
@@ -265,8 +270,9 @@ impl ChamberPrediction {
         let height = MeshedPlace::rounded(region.height.scaled(1e3), region.height_at);
         let extents = region.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3)));
         let volume = MeshedValue::rounded(region.volume.scaled(1e9));
-        self.ranges = ShapeRanges::of_region(region);
-        self.second_shape = SecondShape::new(region);
+        self.ranges =
+            largest.and_then(|pull| ShapeRanges::of_region(region, [pull, second_pull.unwrap_or(pull)]));
+        self.second_shape = second_pull.and_then(|pull| SecondShape::new(region, pull));
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
         self.burst_pressure_kPa = burst.map(|(burst, _)| rounded_kpa(burst));

@@ -37,17 +37,19 @@ pub struct ShapeRanges {
 }
 
 impl ShapeRanges {
-    /// The ranges of `region`; `None` where the mesh errors of its numbers say all.
-    pub(super) fn of_region(region: &InflatedRegion) -> Option<Self> {
+    /// The ranges of `region`; `None` where the mesh errors of its numbers say all. `pulls` are the largest on a seam of its shape and of its
+    /// second one, or twice that of its only one.
+    pub(super) fn of_region(region: &InflatedRegion, pulls: [MeshedPlace; 2]) -> Option<Self> {
         if region.wrinkles == Wrinkles::Resolved && region.second.is_none() {
             return None;
         }
         let rounded = |value: &Value| MeshedValue::rounded(*value);
         let height = region.height.scaled(1e3);
         let (extents, volume) = (region.extents.map(|extent| extent.scaled(1e3)), region.volume.scaled(1e9));
-        let pull = region.seal_pull.scaled(1e-3);
         if region.wrinkles == Wrinkles::Averaged {
-            let [height, volume, pull] = [height, volume, pull].each_ref().map(rounded);
+            let [height, volume] = [height, volume].each_ref().map(rounded);
+            let MeshedPlace { value, mesh_error, .. } = pulls[0];
+            let pull = MeshedValue { value, mesh_error };
             return Some(Self::of_averaged(
                 region.bendability,
                 height,
@@ -61,7 +63,13 @@ impl ShapeRanges {
             height_mm: hull(height, second.height.scaled(1e3)),
             extents_mm: [0, 1].map(|axis| hull(extents[axis], second.extents[axis].scaled(1e3))),
             volume_mm3: hull(volume, second.volume.scaled(1e9)),
-            seal_pull_N_per_mm: hull(pull, second.seal_pull.scaled(1e-3)),
+            seal_pull_N_per_mm: [
+                pulls
+                    .map(|pull| (pull.value - pull.mesh_error).max(0.0))
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min),
+                pulls.map(|pull| pull.value + pull.mesh_error).into_iter().fold(0.0, f64::max),
+            ],
         })
     }
 
