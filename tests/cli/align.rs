@@ -47,9 +47,7 @@ fn a_moved_sheet_gets_its_programs_and_the_rest_of_a_job() {
     };
     let (there, here) = (rest("there.gcode", &given), rest("here.gcode", &[]));
     assert!(there.contains("; aligned: ") && !here.contains("; aligned: "));
-    let last = |text: &str| {
-        text.lines().filter(|line| line.starts_with("G1 X")).next_back().expect("a move").to_owned()
-    };
+    let last = |text: &str| text.lines().rfind(|line| line.starts_with("G1 X")).expect("a move").to_owned();
     assert_ne!(last(&there), last(&here));
     let _ = ended(path, &["resume", "there.gcode", "--at", "60%", "-q", "-o", "later.gcode"], 0);
 }

@@ -138,7 +138,7 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
 fn a_profile_is_checked_without_a_spec() {
     let dir = workshop();
     let profile = support::generic();
-    fs::write(dir.path().join("mine.toml"), &profile).expect("written");
+    fs::write(dir.path().join("mine.toml"), profile).expect("written");
     let answer = done(dir.path(), &["machines", "check", "mine.toml"]);
     assert!(answer.contains("generic: sound") && answer.contains("[work_area] x, y"), "{answer}");
     let answer = json_of(&done(dir.path(), &["machines", "check", "mine.toml", "--json"]));

@@ -28,6 +28,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/benchmarks.md", "cargo bench -p benches --bench mechanics -- section"),
     ("docs/benchmarks.md", "/usr/bin/time -f \"%e s %M kB\" stargrip-cam actuator --tube-w"),
     ("docs/clock.md", "cargo test --release --locked --test machines clock:: -- --i"),
+    ("docs/drawings.md", "cargo run --release -p stargrip-inflatable --example folds"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
     ("docs/install.md", "tar -xzf stargrip-cam-0.2.0-x86_64-unknown-linux-musl.tar.gz"),
     ("docs/install.md", "sudo apt install ./stargrip-cam_0.2.0-1_amd64.deb    # or _a"),

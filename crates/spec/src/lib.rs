@@ -8,6 +8,7 @@
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
 
+mod dialect;
 pub mod digest;
 pub mod units;
 
@@ -61,13 +62,14 @@ pub use allowed::{Allowed, SEAL_SPEEDS};
 pub use code::{Code, FaultCode};
 pub use cut::{CutProcess, CutSpec, CutTool};
 pub use defaults::with_defaults;
+pub use dialect::{Dialect, DialectFamily};
 pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
 pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
-    Bench, CONTACT, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights,
-    KeepOut, Limits, Machine, Process, Script, SealingTool, SheetPlace,
+    Bench, CONTACT, Comments, Controller, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
+    Process, Script, SealingTool, SheetPlace,
 };
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;

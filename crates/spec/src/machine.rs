@@ -1,6 +1,7 @@
 //! The machine: the settings of one controller, from a profile in `crates/spec/templates/machines/` or the user's own.
 
 use crate::allowed::Allowed;
+use crate::dialect::Dialect;
 use crate::motion::Motion;
 use crate::service::Service;
 use crate::units::{Acceleration, Duration, Length, Speed};
@@ -202,95 +203,6 @@ impl Limits {
             top_speed: newer.top_speed.or(self.top_speed),
             acceleration: newer.acceleration.or(self.acceleration),
             idle_timeout: newer.idle_timeout.or(self.idle_timeout),
-        }
-    }
-}
-
-crate::choices! {
-    /// Controllers that read the same words.
-    Dialect,
-    /// The name of the dialect in profiles and in programs.
-    name;
-    /// The plain subset that every controller reads.
-    Generic: "generic",
-    /// LinuxCNC.
-    LinuxCnc: "linuxcnc",
-    /// GRBL 1.1 on an AVR.
-    Grbl: "grbl",
-    /// grblHAL.
-    GrblHal: "grblhal",
-    /// FluidNC.
-    FluidNc: "fluidnc",
-    /// Marlin.
-    Marlin: "marlin",
-    /// Klipper.
-    Klipper: "klipper",
-    /// RepRapFirmware.
-    RepRapFirmware: "reprapfirmware",
-    /// The firmware of Bambu Lab's printers.
-    Bambu: "bambu",
-}
-
-/// What dialects have in common: the machines whose habits their controllers follow.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DialectFamily {
-    /// An unknown controller, for which programs hold only what all controllers read.
-    Plain,
-    /// Controllers of mills: G0 has a speed of its own, dwells are in seconds, arcs are drawn.
-    Mill,
-    /// Controllers of printers: G0 runs at the feed in force, dwells are in milliseconds, heaters and progress have words.
-    Printer,
-}
-
-impl Dialect {
-    /// The family of its machines.
-    pub const fn family(self) -> DialectFamily {
-        match self {
-            Self::Generic => DialectFamily::Plain,
-            Self::LinuxCnc | Self::Grbl | Self::GrblHal | Self::FluidNc => DialectFamily::Mill,
-            Self::Marlin | Self::Klipper | Self::RepRapFirmware | Self::Bambu => DialectFamily::Printer,
-        }
-    }
-
-    /// Whether the timer of its controller's long steps wraps around.
-    pub const fn timer_wraps(self) -> bool {
-        match self {
-            Self::FluidNc => true,
-            Self::Generic
-            | Self::LinuxCnc
-            | Self::Grbl
-            | Self::GrblHal
-            | Self::Marlin
-            | Self::Klipper
-            | Self::RepRapFirmware
-            | Self::Bambu => false,
-        }
-    }
-
-    /// Longest line that any of its controllers reads, in characters without the line end: GRBL's protocol.h, Marlin's
-    /// `MAX_CMD_SIZE`; up to 255 where others read longer ones. Generic programs fit into all of them, with a reserve.
-    pub fn longest_line(self) -> u32 {
-        match self {
-            Self::Generic => 72,
-            Self::Grbl => 80,
-            // Bambu's buffer is unknown: no longer than Marlin's.
-            Self::Marlin | Self::Bambu => 95,
-            Self::LinuxCnc | Self::GrblHal | Self::FluidNc | Self::Klipper | Self::RepRapFirmware => 255,
-        }
-    }
-
-    /// The usual name.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Generic => "the controller",
-            Self::LinuxCnc => "LinuxCNC",
-            Self::Grbl => "GRBL",
-            Self::GrblHal => "grblHAL",
-            Self::FluidNc => "FluidNC",
-            Self::Marlin => "Marlin",
-            Self::Klipper => "Klipper",
-            Self::RepRapFirmware => "RepRapFirmware",
-            Self::Bambu => "Bambu's firmware",
         }
     }
 }

@@ -4,8 +4,8 @@
 //! Marlin, marlinfw.org/docs/gcode; Prusa-Firmware, `Marlin_main.cpp` (G28 W, G80); Klipper, docs/G-Codes.md; RepRapFirmware,
 //! docs.duet3d.com; Bambu, `resources/profiles/BBL/machine` of the repository bambulab/BambuStudio.
 
-use self::Form as F;
-use crate::machine::Dialect;
+use self::Argument as F;
+use crate::dialect::Dialect;
 use crate::units::Temperature;
 
 /// The highest temperature of a bed or a chamber while a sheet lies in it. Soft polyurethane softens from about 70 C on (Vicat), and
@@ -63,7 +63,7 @@ impl WarmPart {
 
 /// The values that follow a row's text.
 #[derive(Clone, Copy)]
-enum Form {
+enum Argument {
     /// None: the line is the row's text.
     Whole(Service),
     /// The axes to home; all without any.
@@ -77,12 +77,12 @@ enum Form {
 }
 
 /// A text and the values behind it.
-type ServiceRow = (&'static str, Form);
+type ServiceRow = (&'static str, Argument);
 
-const ALL_AXES: Form = F::Whole(Service::Home([true; 3]));
-const LEVEL: Form = F::Whole(Service::Level);
-const FAN_OFF: Form = F::Whole(Service::FanOff);
-const ENDSTOPS_OFF: Form = F::Whole(Service::EndstopsOff);
+const ALL_AXES: Argument = F::Whole(Service::Home([true; 3]));
+const LEVEL: Argument = F::Whole(Service::Level);
+const FAN_OFF: Argument = F::Whole(Service::FanOff);
+const ENDSTOPS_OFF: Argument = F::Whole(Service::EndstopsOff);
 
 /// Lines that all printers read.
 const COMMON: [ServiceRow; 5] = [
@@ -132,27 +132,29 @@ impl Service {
         if line.starts_with("G1") || line.starts_with("G0") {
             return None;
         }
-        let rows = rows(dialect).iter().flat_map(|rows| rows.iter());
-        rows.filter_map(|(text, form)| form.read(line.strip_prefix(text)?)).next()
+        rows(dialect)
+            .iter()
+            .flat_map(|rows| rows.iter())
+            .find_map(|(text, form)| form.read(line.strip_prefix(text)?))
     }
 
     /// The service lines that controllers of `dialect` read, in words.
     pub(crate) fn lines(dialect: Dialect) -> impl Iterator<Item = String> {
         rows(dialect).iter().flat_map(|rows| rows.iter()).map(|(text, form)| match form {
-            Form::Whole(_) | Form::Axes => (*text).to_owned(),
-            Form::Named(_) | Form::Warm(..) => format!("{text}.."),
-            Form::Override => format!("{text}100"),
+            Argument::Whole(_) | Argument::Axes => (*text).to_owned(),
+            Argument::Named(_) | Argument::Warm(..) => format!("{text}.."),
+            Argument::Override => format!("{text}100"),
         })
     }
 
     /// Whether controllers of `dialect` have a line that lets Z go below the range of its axis.
     pub fn can_free_endstops(dialect: Dialect) -> bool {
         let mut rows = rows(dialect).iter().flat_map(|rows| rows.iter());
-        rows.any(|(_, form)| matches!(form, Form::Whole(Self::EndstopsOff)))
+        rows.any(|(_, form)| matches!(form, Argument::Whole(Self::EndstopsOff)))
     }
 }
 
-impl Form {
+impl Argument {
     /// The effect of a line that ends in `rest` behind the row's text.
     fn read(self, rest: &str) -> Option<Service> {
         match self {
@@ -199,8 +201,8 @@ fn amount(rest: &str) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn warm(part: WarmPart, celsius: f64, waits: bool) -> Option<Service> {
-        Some(Service::Warm(Warming { part, celsius, waits }))
+    fn warm(part: WarmPart, celsius: f64, waits: bool) -> Service {
+        Service::Warm(Warming { part, celsius, waits })
     }
 
     #[test]
@@ -209,8 +211,8 @@ mod tests {
         assert_eq!(marlin("G28"), Some(Service::Home([true; 3])));
         assert_eq!(marlin("G28 W"), Some(Service::Home([true; 3])));
         assert_eq!(marlin("G28 X Y0"), Some(Service::Home([true, true, false])));
-        assert_eq!(marlin("M190 S45"), warm(WarmPart::Bed, 45.0, true));
-        assert_eq!(marlin("M141 S0"), warm(WarmPart::Chamber, 0.0, false));
+        assert_eq!(marlin("M190 S45"), Some(warm(WarmPart::Bed, 45.0, true)));
+        assert_eq!(marlin("M141 S0"), Some(warm(WarmPart::Chamber, 0.0, false)));
         assert_eq!(marlin("M220 S50"), Some(Service::FeedOverride(50.0)));
         assert_eq!(marlin("M211 S0"), Some(Service::EndstopsOff));
         let klipper = |line| Service::read(line, Dialect::Klipper);

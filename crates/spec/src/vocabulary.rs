@@ -4,7 +4,8 @@
 //! word (units of time, tolerances of arcs, lengths of lines) concerns the verifier only.
 
 use self::Command as C;
-use crate::machine::{Controller, Dialect};
+use crate::dialect::Dialect;
+use crate::machine::Controller;
 
 /// Letter, ten times the number, and the command.
 type CodeRow = (u8, u16, C);

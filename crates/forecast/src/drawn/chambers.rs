@@ -35,11 +35,12 @@ impl DrawnChamber {
 /// # Errors
 /// If the edges enclose no chamber, or the fabric is invalid.
 pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnChamber>, PredictFault> {
-    let elastic_sheet = sheet(&spec.fabric).map_err(drawing_fault)?;
-    let fabric_weave = weave(&spec.fabric).map_err(drawing_fault)?;
-    let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes()).map_err(drawing_fault)?;
+    let elastic_sheet = sheet(&spec.fabric).map_err(|problem| drawing_fault(&problem))?;
+    let fabric_weave = weave(&spec.fabric).map_err(|problem| drawing_fault(&problem))?;
+    let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
+        .map_err(|problem| drawing_fault(&problem))?;
     if flats.is_empty() {
-        return Err(drawing_fault("the drawing's edges enclose no air"));
+        return Err(drawing_fault(&"the drawing's edges enclose no air"));
     }
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {
@@ -55,7 +56,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
     Ok(flats.into_iter().map(chamber).collect())
 }
 
-fn drawing_fault(problem: impl ToString) -> PredictFault {
+fn drawing_fault(problem: &impl ToString) -> PredictFault {
     PredictFault::new(key::drawing::FILE, problem.to_string())
 }
 

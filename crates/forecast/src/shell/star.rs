@@ -49,7 +49,7 @@ pub fn predict(
         let run = star_case(spec, design.part(placed)).and_then(|case| {
             let entered = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
             let objects: Vec<f64> = radii.iter().copied().chain(entered).collect();
-            ShellRun::new(spec, case, &objects, detail, watch)
+            ShellRun::new(spec, &case, &objects, detail, watch)
         });
         runs.push(run.map_err(|refusal| refusal.of_star(placed.index))?);
     }
@@ -89,16 +89,16 @@ impl ShellRun {
     /// The star of `case` as a shell, around round objects of the radii `objects` (m).
     fn new(
         spec: &Spec,
-        case: Case,
+        case: &Case,
         objects: &[f64],
         detail: Detail,
         watch: &Watch<'_>,
     ) -> Result<Self, ShellRefusal> {
         let fabric_weave =
             weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
-        let empty = Case { object: None, ..case };
+        let empty = Case { object: None, ..*case };
         let (flat, inflated, measured) = ask(&empty, fabric_weave, objects, detail, watch)?;
-        Ok(Self { case, flat, inflated, measured })
+        Ok(Self { case: *case, flat, inflated, measured })
     }
 
     /// The prediction of the star of `part` in its place in the stack, which `case` describes, with the forces on objects of `radii` (m).

@@ -53,12 +53,12 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
             writer.comment(&format!("sealing: seam={i} process={process} line={line} pass={pass}"));
         }
     }
-    if program.purpose != Purpose::Trace {
-        let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
-        writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time));
-    } else {
+    if program.purpose == Purpose::Trace {
         // Corners, which a slow machine brakes for, come on top.
         writer.comment(&format!("total: time_s={:.0}", program.time));
+    } else {
+        let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
+        writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time));
     }
 }
 

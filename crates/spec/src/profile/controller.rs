@@ -2,8 +2,9 @@
 
 use crate::FaultCode;
 use crate::allowed::Allowed;
+use crate::dialect::Dialect;
 use crate::fault::quoted;
-use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, SheetPlace, to_micrometres};
+use crate::machine::{Comments, Controller, DwellUnit, Dwells, Heating, SheetPlace, to_micrometres};
 use crate::profile::modes::{check_arcs, check_dwell_unit, check_heating};
 use crate::section::Section;
 use crate::units::{Duration, Length};

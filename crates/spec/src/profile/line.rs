@@ -210,7 +210,7 @@ fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> O
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::Dialect;
+    use crate::dialect::Dialect;
 
     fn effect_of(dialect: Dialect, line: &str) -> Option<Effect> {
         effect(line, Vocabulary::for_dialect(dialect))

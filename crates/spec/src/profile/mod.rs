@@ -14,9 +14,10 @@ mod process;
 mod recognition;
 mod script;
 
+use crate::dialect::Dialect;
 use crate::faults::Faults;
 use crate::foreign::Document;
-use crate::machine::{Dialect, Machine, Script, SealingTool};
+use crate::machine::{Machine, Script, SealingTool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
 use crate::profile::motion::read_motion;

@@ -1,6 +1,7 @@
 //! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position, arc and dwell as it reads them.
 
-use crate::machine::{Controller, Dialect, DialectFamily, DwellUnit, Heating};
+use crate::dialect::{Dialect, DialectFamily};
+use crate::machine::{Controller, DwellUnit, Heating};
 use crate::section::Section;
 use crate::{Command, FaultCode, Vocabulary};
 

@@ -2,8 +2,8 @@
 
 use crate::FaultCode;
 use crate::allowed::Allowed;
+use crate::dialect::Dialect;
 use crate::fault::Fault;
-use crate::machine::Dialect;
 use crate::motion::{Motion, StepRate};
 use crate::profile::known::{known_number, quantity_or_unknown, unless};
 use crate::section::Section;

@@ -1,6 +1,7 @@
 //! How a user recognises the controller of a machine, and machines that no profile serves.
 
-use crate::machine::{Dialect, Heating, Machine, SealingTool};
+use crate::dialect::Dialect;
+use crate::machine::{Heating, Machine, SealingTool};
 use crate::profile::builtin::usual_profile;
 
 impl Machine {

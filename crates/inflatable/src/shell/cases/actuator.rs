@@ -5,7 +5,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::fault::{Input, ShellFault};
 use crate::shell::cases::margin::Margin;
-use crate::shell::cases::refinement::{Approach, Evidence, Family, Watch};
+use crate::shell::cases::refinement::{Evidence, Family, LoadPath, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
@@ -157,7 +157,7 @@ pub fn actuator(
         cuts: fineness.cuts,
         hold: &hold,
         obstacles: &[],
-        approach: Approach::FromFlat,
+        approach: LoadPath::FromFlat,
         most_steps: u32::MAX,
     };
     let mut shape = InflatedShape::default();

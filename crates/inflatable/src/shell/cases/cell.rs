@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Plane, Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Approach, Family, Watch};
+use crate::shell::cases::refinement::{Family, LoadPath, Watch};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{self, Border, Mesh, Meshed, Sizes, plane};
@@ -58,7 +58,7 @@ pub(super) fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<Inf
         cuts: fineness.cuts,
         hold: &hold,
         obstacles: &[],
-        approach: Approach::FromFlat,
+        approach: LoadPath::FromFlat,
         most_steps: u32::MAX,
     };
     let ([lambda, stiffness], _) = family.run(watch, |solver, meshed, equilibrium, _| {

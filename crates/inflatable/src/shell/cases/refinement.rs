@@ -45,7 +45,7 @@ pub struct Evidence {
 
 /// How the coarsest mesh of a sheet that bears compression reaches its pressure. Pouches have two stable shapes at some pressures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Approach {
+pub(crate) enum LoadPath {
     /// The pressure rises from the flat sheet.
     #[default]
     FromFlat,
@@ -70,7 +70,7 @@ pub(crate) struct Family<'a> {
     /// The supports of a mesh; it may change the sheet's response to compression.
     pub(crate) hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
     pub(crate) obstacles: &'a [Obstacle],
-    pub(crate) approach: Approach,
+    pub(crate) approach: LoadPath,
     /// Newton steps on one mesh at most.
     pub(crate) most_steps: u32,
 }
@@ -159,7 +159,7 @@ impl Family<'_> {
         }
         let mut continuation = self.tube.continuation();
         let highest = (OVERPRESSURE * continuation.last).min(MOST_STRETCHED);
-        if self.approach == Approach::FromAbove {
+        if self.approach == LoadPath::FromAbove {
             continuation.last = continuation.last.max(highest);
         }
         let log_range = libm::log(continuation.last / continuation.first).max(1e-9);
@@ -172,8 +172,8 @@ impl Family<'_> {
         let equilibrium =
             continuation.run(solver, report).map_err(|broken| self.fault(broken, solver.triangles()))?;
         match self.approach {
-            Approach::FromFlat => Ok(equilibrium),
-            Approach::FromAbove => self.let_down(solver, equilibrium.state, highest),
+            LoadPath::FromFlat => Ok(equilibrium),
+            LoadPath::FromAbove => self.let_down(solver, equilibrium.state, highest),
         }
     }
 

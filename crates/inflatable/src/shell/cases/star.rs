@@ -6,7 +6,7 @@ use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
 use crate::shell::cases::objects::{Hysteresis, MOST_OBJECTS, Objects, hysteresis, press};
-use crate::shell::cases::refinement::{Approach, Evidence, Family, Watch};
+use crate::shell::cases::refinement::{Evidence, Family, LoadPath, Watch};
 use crate::shell::cases::sector::ModelledSector;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
@@ -257,7 +257,7 @@ pub fn star_by_sizes(
         cuts,
         hold: &hold,
         obstacles: &obstacles,
-        approach: Approach::FromFlat,
+        approach: LoadPath::FromFlat,
         most_steps: u32::MAX,
     };
     // Both are those of the last mesh, which is the finest.

@@ -3,7 +3,7 @@
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Approach, Family, Watch};
+use crate::shell::cases::refinement::{Family, LoadPath, Watch};
 use crate::shell::cases::region::answer::{InflatedRegion, MOST_RESOLVED, Wrinkles, answer};
 use crate::shell::cases::region::branches::{Blend, blended, lower_of};
 use crate::shell::cases::region::chambers::FlatRegion;
@@ -185,11 +185,11 @@ fn lowest(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedRegion, ShellFault> {
-    let from_flat = Run::resolved(tube, Approach::FromFlat).on_meshes(case, fineness, watch)?;
+    let from_flat = Run::resolved(tube, LoadPath::FromFlat).on_meshes(case, fineness, watch)?;
     if tube.bendability() < LEAST_FOLDED {
         return Ok(from_flat);
     }
-    match Run::resolved(tube, Approach::FromAbove).on_meshes(case, fineness, watch) {
+    match Run::resolved(tube, LoadPath::FromAbove).on_meshes(case, fineness, watch) {
         Ok(from_above) => Ok(lower_of(from_flat, from_above)),
         Err(ShellFault::Stopped { .. }) => Ok(from_flat),
         Err(fault) => Err(fault),
@@ -201,19 +201,19 @@ fn lowest(
 pub(super) struct Run {
     tube: Tube,
     wrinkles: Wrinkles,
-    approach: Approach,
+    approach: LoadPath,
     most_steps: u32,
 }
 
 impl Run {
     pub(super) fn averaged(tube: Tube) -> Self {
         let tube = softened(tube);
-        Self { tube, wrinkles: Wrinkles::Averaged, approach: Approach::FromFlat, most_steps: u32::MAX }
+        Self { tube, wrinkles: Wrinkles::Averaged, approach: LoadPath::FromFlat, most_steps: u32::MAX }
     }
 
-    fn resolved(tube: Tube, approach: Approach) -> Self {
+    fn resolved(tube: Tube, approach: LoadPath) -> Self {
         // Where nothing else is tried, a sheet may take its time.
-        let is_only = tube.bendability() <= SURELY_RESOLVED && approach == Approach::FromFlat;
+        let is_only = tube.bendability() <= SURELY_RESOLVED && approach == LoadPath::FromFlat;
         let most_steps = if is_only { u32::MAX } else { MOST_STEPS };
         Self { tube, wrinkles: Wrinkles::Resolved, approach, most_steps }
     }
