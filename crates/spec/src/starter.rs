@@ -91,12 +91,12 @@ mod tests {
     /// The starter with the lines behind `mark` switched on.
     fn switched_on(mark: &str) -> String {
         let text = starter("x").expect("a name");
-        // The section of a press is for its profile only.
+        // The section of a press is for its profile only, and an offset for a drag knife.
         let mut section = "";
         let lines = text.lines().map(|line| match line.strip_prefix(mark) {
             Some(rest) if begins_with_key(rest) => {
                 section = if rest.starts_with('[') { rest } else { section };
-                if section.starts_with("[press]") { "" } else { rest }
+                if section.starts_with("[press]") || rest.starts_with("blade_offset") { "" } else { rest }
             }
             _ => {
                 section = if line.starts_with('[') { line } else { section };
