@@ -250,18 +250,8 @@ const OF_FILES: [&str; 9] = ["star", "stack", "inlet", "seal", "mask", "frame", 
 
 /// Keys of these sections that no golden design of stars sets: only drawings have them, they leave something out, or tests/design/cuts.rs
 /// sets them.
-const NOT_SET: [KeyPath; 10] = [
-    key::machine::MARKS,
-    key::inlet::NONE,
-    key::mask::KIND,
-    key::sheet::COPIES,
-    key::sheet::TURN,
-    key::cut::TOOL,
-    key::cut::TEMPERATURE,
-    key::cut::SPEED,
-    key::cut::HEIGHT,
-    key::cut::BLADE_OFFSET,
-];
+const NOT_SET: [KeyPath; 5] =
+    [key::inlet::NONE, key::mask::KIND, key::sheet::COPIES, key::sheet::TURN, key::cut::BLADE_OFFSET];
 
 /// The key under which single stars differ.
 const SINGLE_STARS: &str = "stack.star";

@@ -2,13 +2,26 @@
 ; name: every feature
 ; program: purpose=trace sheet=1 stars=1
 ; frame: origin at lower left of the sheet, Z0 on the release layer
-; total: time_s=86
+; total: time_s=117
 G21
 G17
 G91.1
 G90
 G94
 G0 Z30
+G0 X25.3252 Y17.0819
+G0 Z5
+; mark: number=1 x_mm=25.325158464 y_mm=17.081912896
+; the tip is above mark 1: mark the sheet or look, press start
+M0
+G0 Z30
+G0 X117.8645 Y109.6213
+G0 Z5
+; mark: number=2 x_mm=117.864526638 y_mm=109.62128107
+; the tip is above mark 2: mark the sheet or look, press start
+M0
+G0 Z30
+G0 X0 Y0
 G0 X9.075 Y9.075
 G0 Z5
 G1 X125.8714 Y9.075 F1200
@@ -54,4 +67,4 @@ G1 X19.8318 Y120.5681
 G0 Z30
 G0 X0 Y0
 M2
-; end of program, 57 lines
+; end of program, 70 lines

@@ -2,13 +2,26 @@
 ; name: every feature
 ; program: purpose=trace sheet=2 stars=2
 ; frame: origin at lower left of the sheet, Z0 on the release layer
-; total: time_s=81
+; total: time_s=110
 G21
 G17
 G91.1
 G90
 G94
 G0 Z30
+G0 X25.3252 Y17.0819
+G0 Z5
+; mark: number=1 x_mm=25.325158464 y_mm=17.081912896
+; the tip is above mark 1: mark the sheet or look, press start
+M0
+G0 Z30
+G0 X110.3696 Y102.1263
+G0 Z5
+; mark: number=2 x_mm=110.369571799 y_mm=102.126326231
+; the tip is above mark 2: mark the sheet or look, press start
+M0
+G0 Z30
+G0 X0 Y0
 G0 X9.075 Y9.075
 G0 Z5
 G1 X118.3765 Y9.075 F1200
@@ -54,4 +67,4 @@ G1 X19.8318 Y113.0732
 G0 Z30
 G0 X0 Y0
 M2
-; end of program, 57 lines
+; end of program, 70 lines

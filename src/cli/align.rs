@@ -38,15 +38,16 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
+/// One coordinate, in mm or with its unit.
+fn coordinate(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let is_plain = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+    let number = if is_plain { text.parse().ok() } else { Length::parse(text).ok().map(|length| length.0) };
+    number.filter(|x: &f64| x.abs() <= FARTHEST)
+}
+
 /// Two coordinates, in mm or with their units.
 pub(super) fn mark(text: &str) -> Result<Point, String> {
-    let coordinate = |text: &str| {
-        let text = text.trim();
-        let is_plain = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
-        let number =
-            if is_plain { text.parse().ok() } else { Length::parse(text).ok().map(|length| length.0) };
-        number.filter(|x: &f64| x.abs() <= FARTHEST)
-    };
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
     match (coordinate(x), coordinate(y)) {
         (Some(x), Some(y)) => Ok(Point::new(x, y)),
@@ -68,9 +69,12 @@ pub(super) fn aligned(
 }
 
 /// Publishes the programs for the moved sheet.
+///
+/// The published build is proven and planned anew for the moved sheet. Its files appear together in a directory of their own, and the
+/// motion is printed as the operator can check it: the turn, the shift and the error of the distance.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let proven = aligned(&args.dir, args.sheet, [args.mark1, args.mark2], args.verbosity)?;
-    let target = args.output.clone().unwrap_or_else(|| beside(&args.dir));
+    let target = args.output.clone().unwrap_or_else(|| default_target(&args.dir));
     tell(&publish(&target, &proven)?.to_string());
     let Some(alignment) = proven.built().forecast.design.alignment else { return Ok(()) };
     let (turn, shift) = (alignment.motion.rotation.to_degrees(), alignment.motion.shift);
@@ -103,7 +107,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The default directory: beside the build.
-fn beside(dir: &Path) -> PathBuf {
+fn default_target(dir: &Path) -> PathBuf {
     // `.` and `..` have no name of their own.
     named_beside(dir)
         .or_else(|| named_beside(&dir.canonicalize().ok()?))

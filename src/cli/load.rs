@@ -321,8 +321,9 @@ fn profile_file(
     let message = format!("no machine profile has this name, and {state}");
     let fault = Fault::error(FaultCode::UnknownMachine, place, message)
         .label(format!("a built-in profile ({}) or a path relative to the spec", builtin_names.join(", ")));
-    let nearest = spec::nearest(name, builtin_names).map(|near| format!("did you mean \"{near}\"?"));
-    Err(match nearest.or_else(|| spec::machine_remedy(name)) {
+    // A trade name says more than a name that is spelt like it: "ender3" has Marlin.
+    let nearest = || spec::nearest(name, builtin_names).map(|near| format!("did you mean \"{near}\"?"));
+    Err(match spec::machine_remedy(name).or_else(nearest) {
         Some(remedy) => fault.help(remedy),
         None => fault,
     })

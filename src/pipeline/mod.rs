@@ -22,6 +22,7 @@ mod planned;
 mod precautions;
 mod proven;
 mod refused;
+mod sheet_alignment;
 mod weak_process;
 
 use crate::manifest::Manifest;
@@ -33,7 +34,7 @@ use program::plan::Program;
 use proof::artifact::{Artifact, KindRequest};
 use spec::{Machine, Spec};
 
-pub use aligned::{AlignedFault, align};
+pub use aligned::align;
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
@@ -41,6 +42,7 @@ pub use planned::{Planned, no_prediction, no_programs, no_requested_programs};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 pub use refused::unfit_besides;
+pub use sheet_alignment::AlignedFault;
 
 /// A gripper with the prediction of its behaviour.
 #[derive(Clone, Debug)]

@@ -36,19 +36,19 @@ fn a_moved_sheet_gets_its_programs_and_the_rest_of_a_job() {
     let [a, b] = marks(&text)[..] else { panic!("two marks") };
     let place = |[x, y]: [f64; 2]| format!("{}, {}", x + 2.0, y - 1.5);
     let (first, second) = (place(a), place(b));
-    let given = ["--mark1", first.as_str(), "--mark2", second.as_str()];
-    let (told, _) = ended(path, &[&["align", "out/star"], &given[..]].concat(), 0);
-    assert!(told.contains("turned by 0.000 deg, shifted by X 2.00 Y -1.50 mm"), "{told}");
+    let measured_marks = ["--mark1", first.as_str(), "--mark2", second.as_str()];
+    let (answer, _) = ended(path, &[&["align", "out/star"], &measured_marks[..]].concat(), 0);
+    assert!(answer.contains("turned by 0.000 deg, shifted by X 2.00 Y -1.50 mm"), "{answer}");
     let _ = ended(path, &["verify", "out/star-aligned", "-q"], 0);
     // The rest of a job on the moved sheet, and on the sheet where it was.
     let rest = |name: &str, more: &[&str]| {
         let _ = ended(path, &[&["resume", job, "--at", "40%", "-o", name], more].concat(), 0);
         fs::read_to_string(path.join(name)).expect("a program")
     };
-    let (there, here) = (rest("there.gcode", &given), rest("here.gcode", &[]));
-    assert!(there.contains("; aligned: ") && !here.contains("; aligned: "));
+    let (moved_rest, unmoved_rest) = (rest("there.gcode", &measured_marks), rest("here.gcode", &[]));
+    assert!(moved_rest.contains("; aligned: ") && !unmoved_rest.contains("; aligned: "));
     let last = |text: &str| text.lines().rfind(|line| line.starts_with("G1 X")).expect("a move").to_owned();
-    assert_ne!(last(&there), last(&here));
+    assert_ne!(last(&moved_rest), last(&unmoved_rest));
     let _ = ended(path, &["resume", "there.gcode", "--at", "60%", "-q", "-o", "later.gcode"], 0);
 }
 

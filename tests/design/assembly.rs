@@ -379,7 +379,7 @@ fn what_does_not_fit_is_refused_with_numbers() {
             "cut.kerf",
             "nothing of a coating window",
         ),
-        ("[frame]\nposts = 60\n", "frame.posts", "needs 21.14"),
+        ("[frame]\nposts = 60\n", "frame.posts", "needs 21.2"),
         ("[sheet]\nwidth = \"300 mm\"\n", "sheet.width", "33.04"),
     ] {
         let refusals = support::build(&format!("{}\n{more}", support::PAPER)).expect_err(more);

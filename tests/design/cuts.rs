@@ -24,10 +24,10 @@ fn text(profile: &str, cut: &str, kerf: &str) -> String {
 }
 
 fn built_for(profile: &str, cut: &str, kerf: &str) -> Result<Built, Vec<&'static str>> {
-    let text = text(profile, cut, kerf);
-    let spec = spec::read(&Source::new("cut", text.clone())).unwrap_or_else(|faults| panic!("{faults}")).spec;
+    let toml = text(profile, cut, kerf);
+    let spec = spec::read(&Source::new("cut", toml.clone())).unwrap_or_else(|faults| panic!("{faults}")).spec;
     let machine = Machine::builtin(profile).expect("built in");
-    let sources = Sources { spec: &text, machine: spec::builtin_machine(profile).expect("built in") };
+    let sources = Sources { spec: &toml, machine: spec::builtin_machine(profile).expect("built in") };
     let request = KindRequest::exactly(&[Kind::CutGcode, Kind::OutlineSvg]);
     pipeline::build(&spec, &machine, sources, &request)
         .map_err(|refusals| refusals.iter().map(|refusal| refusal.code.as_str()).collect())
@@ -120,23 +120,23 @@ fn a_wrong_cut_is_found_by_code() {
     for cut in [HOT, KNIFE] {
         let build = built("linuxcnc", cut);
         let (_, text) = program(&build);
-        let has = |text: &str, code: &str, what: &str| {
+        let assert_code = |text: &str, code: &str, what: &str| {
             let findings = findings_of(&build, text);
             assert!(codes(&findings).contains(&code), "{what}: {code} is not among {:?}", codes(&findings));
         };
-        has(&changed(&text, 'X', |x| if x == 0.0 { 0.0 } else { x + 0.05 }), "deviation", "shifted");
+        assert_code(&changed(&text, 'X', |x| if x == 0.0 { 0.0 } else { x + 0.05 }), "deviation", "shifted");
         let (head, tail) = text.split_once("; cut: cut=3 ").expect("a hole");
         let rest = tail.split_once("; cut: cut=4 ").expect("the next").1;
-        has(&format!("{head}; cut: cut=4 {rest}"), "missing-seam", "a missing hole");
+        assert_code(&format!("{head}; cut: cut=4 {rest}"), "missing-seam", "a missing hole");
         let height = if cut == HOT { -1.0 } else { -0.8 };
-        has(&changed(&text, 'Z', |z| if z == height { z - 0.5 } else { z }), "too-deep", "too deep");
+        assert_code(&changed(&text, 'Z', |z| if z == height { z - 0.5 } else { z }), "too-deep", "too deep");
         let shallow = findings_of(&build, &changed(&text, 'Z', |z| if z == height { -0.2 } else { z }));
         assert!(!shallow.is_empty(), "too high");
         // The way of a tool that takes nothing away, in the place of one that takes away 0.4 mm.
         let findings = findings_of(&build, &program(&built_for("linuxcnc", cut, "0 mm").expect("a build")).1);
         assert!(codes(&findings).contains(&"deviation"), "another kerf: {:?}", codes(&findings));
-        has(&text.replacen("M0\n", "", 1), "profile-line", "no pause for the tool");
-        has(&changed(&text, 'F', |f| f * 1.5), "wrong-feed", "too fast");
+        assert_code(&text.replacen("M0\n", "", 1), "profile-line", "no pause for the tool");
+        assert_code(&changed(&text, 'F', |f| f * 1.5), "wrong-feed", "too fast");
     }
     let build = built("linuxcnc", KNIFE);
     let other = program(&built("linuxcnc", &KNIFE.replace("0.25", "0.5")))

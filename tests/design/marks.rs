@@ -97,8 +97,8 @@ fn marks_that_cannot_be_those_of_the_sheet_are_refused() {
     let design = design_of(TEXT);
     let [a, b] = design.marks(1).expect("marks");
     let fault = |marks| design.alignment(1, marks).expect_err("refused");
-    let away = b + (b - a) * 0.0031;
-    assert!(matches!(fault([a, away]), AlignmentFault::Stretch(..)));
+    let stretched = b + (b - a) * 0.0031;
+    assert!(matches!(fault([a, stretched]), AlignmentFault::Stretch(..)));
     assert!(design.alignment(1, [a, b + (b - a) * 0.0029]).is_ok());
     assert!(matches!(fault([b, a]), AlignmentFault::Turn(_)));
     assert!(matches!(fault(measured(&design, 2.1, Vec2::new(0.0, 0.0))), AlignmentFault::Turn(_)));
@@ -137,6 +137,6 @@ fn a_sheet_beyond_the_work_area_is_refused() {
     let design = &build.forecast.design;
     let files = files_of(&build);
     assert!(align(&files, None, measured(design, 0.0, Vec2::new(0.5, 0.5))).is_ok());
-    let outside = align(&files, None, measured(design, 0.0, Vec2::new(-6.0, 0.0)));
-    assert!(matches!(outside, Err(AlignedFault::Refused(_))), "{outside:?}");
+    let outcome = align(&files, None, measured(design, 0.0, Vec2::new(-6.0, 0.0)));
+    assert!(matches!(outcome, Err(AlignedFault::Refused(_))), "{outcome:?}");
 }

@@ -300,7 +300,7 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "seal.speed" => "0.2 mm/s",
             "seal.height" => "-0.2 mm",
             "seal.lines" => "1",
-            "seal.tip" => "1.5 mm",
+            "seal.tip" => "0.8 mm",
             "seal.cool" => "5 s",
             "seal.pause" => "seam",
             "star.tip_angle" | "stack.rotation" => "35 deg",

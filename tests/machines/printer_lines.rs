@@ -240,13 +240,13 @@ fn no_dangerous_line_is_proven() {
         for &(_, place, code, dangers) in ROWS.iter().filter(|(own, ..)| *own == name) {
             for danger in dangers {
                 number += 1;
-                let at = index(&lines, place);
+                let insertion = index(&lines, place);
                 let mut changed = lines[..lines.len() - 1].to_vec();
-                changed.splice(at..at, danger.lines()).for_each(drop);
+                changed.splice(insertion..insertion, danger.lines()).for_each(drop);
                 let bad = format!("{}\n; end of program, {} lines\n", changed.join("\n"), changed.len() + 1);
                 let findings = findings_with(&build, SEAL, &bad);
-                let last = at + danger.lines().count();
-                let is_there = |line: usize| (at + 1..=last + 1).contains(&line);
+                let last = insertion + danger.lines().count();
+                let is_there = |line: usize| (insertion + 1..=last + 1).contains(&line);
                 if !findings.iter().any(|f| f.code == code && f.line.is_some_and(is_there)) {
                     let codes: Vec<_> = findings.iter().take(4).map(|f| (f.code, f.line)).collect();
                     unproven.push(format!("{name} {place:?} {danger:?}: no {code} at {last}: {codes:?}"));
@@ -265,8 +265,8 @@ fn no_dangerous_line_is_read_in_a_profile() {
         let text = builtin_machine(name).expect("built in");
         for danger in dangers.iter().filter(|danger| !danger.contains('\n')) {
             let quoted = danger.replace('"', "\\\"");
-            let with = text.replacen("start = [", &format!("start = [\"{quoted}\", "), 1);
-            let read = read_machine(&stargrip_cam::spec::Source::new("own", with));
+            let spoilt = text.replacen("start = [", &format!("start = [\"{quoted}\", "), 1);
+            let read = read_machine(&stargrip_cam::spec::Source::new("own", spoilt));
             let is_harmless =
                 ["G28", "G28 W", "G28 Z", "G28 X Y", "M107", "M17", "M220 S100", "M106 P1 S0", "M104 S0"]
                     .contains(danger)

@@ -79,17 +79,17 @@ fn a_place_moves_every_position_and_nothing_else() {
             format!("surface = \"{surface} mm\"\n[origin]\nx = \"{x} mm\"\ny = \"{y} mm\"\n[work_area]");
         let placed = changed("klipper", "[work_area]", &place);
         let code = text(&built_for("klipper", &placed), SEAL);
-        let found = moves(&placed, &code);
-        assert_eq!(found.len(), expected.len());
-        for (step, other) in found.iter().zip(&expected) {
-            let off = [step.to.x - other.to.x, step.to.y - other.to.y, step.to.z - other.to.z];
+        let placed_moves = moves(&placed, &code);
+        assert_eq!(placed_moves.len(), expected.len());
+        for (step, other) in placed_moves.iter().zip(&expected) {
+            let differences = [step.to.x - other.to.x, step.to.y - other.to.y, step.to.z - other.to.z];
             // Both are rounded to four decimals, the first after it was moved.
-            assert!(off.iter().all(|d| d.abs() < 1.01e-4), "{off:?}");
+            assert!(differences.iter().all(|d| d.abs() < 1.01e-4), "{differences:?}");
             assert_eq!(step.feed, other.feed);
         }
         // Read without the place, every number is the machine's.
         let raw = moves(plain, &code.replace("; place:", "; note:"));
-        let (first, moved) = (found[0].to, raw[0].to);
+        let (first, moved) = (placed_moves[0].to, raw[0].to);
         assert!((moved.x - first.x - x).abs() < 1e-9 && (moved.z - first.z - surface).abs() < 1e-9);
     }
     // A file that states another place than the profile is found.
@@ -102,13 +102,13 @@ fn a_place_moves_every_position_and_nothing_else() {
 #[test]
 fn the_sheet_must_fit_beyond_its_corner() {
     let codes = |x: &str| {
-        let text = changed("ender", "x = \"20 mm\"", &format!("x = \"{x}\""));
-        try_built(&design("ender"), &text).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
+        let shifted = changed("ender", "x = \"20 mm\"", &format!("x = \"{x}\""));
+        try_built(&design("ender"), &shifted).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
     };
     assert_eq!((codes("20 mm"), codes("70 mm")), (Ok(()), Ok(())));
     assert_eq!(codes("90 mm"), Err("out-of-reach".to_owned()));
-    let beyond = changed("ender", "x = \"20 mm\"", "x = \"220 mm\"");
-    let faults = stargrip_cam::spec::read_machine(&stargrip_cam::spec::Source::new("own", beyond));
+    let cornered = changed("ender", "x = \"20 mm\"", "x = \"220 mm\"");
+    let faults = stargrip_cam::spec::read_machine(&stargrip_cam::spec::Source::new("own", cornered));
     assert_eq!(faults.expect_err("no room").list()[0].code, "conflict");
 }
 

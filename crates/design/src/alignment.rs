@@ -103,11 +103,11 @@ impl Design {
     pub fn alignment(&self, sheet: usize, measured: [Point; 2]) -> Result<Alignment, AlignmentFault> {
         let layout = self.sheets.iter().find(|layout| layout.index == sheet);
         let layout = layout.ok_or(AlignmentFault::NoSheet(sheet))?;
-        let drawn = self.marks(sheet).ok_or(AlignmentFault::NoMarks)?;
+        let marks = self.marks(sheet).ok_or(AlignmentFault::NoMarks)?;
         if !measured.iter().all(|mark| mark.x.is_finite() && mark.y.is_finite()) {
             return Err(AlignmentFault::NotFinite);
         }
-        let [way, measured_way] = [drawn, measured].map(|[from, to]| to - from);
+        let [way, measured_way] = [marks, measured].map(|[from, to]| to - from);
         let [length, measured_length] = [way.length(), measured_way.length()];
         let stretch = measured_length - length;
         if stretch.is_nan() || stretch.abs() > LARGEST_STRETCH * length {
@@ -117,11 +117,11 @@ impl Design {
         if turn.is_nan() || turn.abs() > LARGEST_TURN {
             return Err(AlignmentFault::Turn(turn.to_degrees()));
         }
-        let [middle, measured_middle] = [drawn, measured].map(|[from, to]| from.midpoint(to));
-        let (shift, most) =
+        let [middle, measured_middle] = [marks, measured].map(|[from, to]| from.midpoint(to));
+        let (shift, largest_shift) =
             (middle.distance(measured_middle), LARGEST_SHIFT * layout.width.max(layout.height));
-        if shift.is_nan() || shift > most {
-            return Err(AlignmentFault::Shift(shift, most));
+        if shift.is_nan() || shift > largest_shift {
+            return Err(AlignmentFault::Shift(shift, largest_shift));
         }
         let rotation = Isometry::rotation(turn);
         let motion = Isometry { shift: measured_middle - rotation.point(middle), ..rotation };

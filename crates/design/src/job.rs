@@ -116,8 +116,8 @@ impl SealJob {
             for (path, number) in paths.zip(1..) {
                 let seam = Seam { overlap: CUT_OVERLAP, ..Seam::weld(path.starting_at(calm_place(&path))) };
                 let name = PieceName::Named(format!("{}-{number}", layer.name()));
-                let laid = LaidSeam::new(&name, &seam, Isometry::IDENTITY, ramp);
-                job.contacts.push(SealContact { laid, process: 0, line: 1, pass: 1 });
+                let laid_cut = LaidSeam::new(&name, &seam, Isometry::IDENTITY, ramp);
+                job.contacts.push(SealContact { laid: laid_cut, process: 0, line: 1, pass: 1 });
             }
         }
         job

@@ -136,7 +136,7 @@ fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
     let speed = s.quantity("speed", SPEEDS);
     let height = s.quantity("height", CONTACT).map(|Length(mm)| Length(to_micrometres(mm)));
     let blade_offset = s.quantity("blade_offset", OFFSETS);
-    let own: &[(&str, &str)] = match word {
+    let settings: &[(&str, &str)] = match word {
         Some(ToolWord::HotTip) => {
             &[("temperature", "\"350 C\""), ("speed", "\"5 mm/s\""), ("height", "\"-1 mm\"")]
         }
@@ -145,13 +145,13 @@ fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
         }
         None => &[],
     };
-    for (key, example) in own.iter().filter(|(key, _)| !s.contains(key)).copied().collect::<Vec<_>>() {
+    for (key, example) in settings.iter().filter(|(key, _)| !s.contains(key)).copied().collect::<Vec<_>>() {
         let message = format!("`tool` in [cut] without `{key}`");
         let fault = Fault::error(FaultCode::MissingKey, s.place_of("tool"), message);
         s.report(fault.label("the tool needs it").help(format!("for example {key} = {example}")));
     }
     for key in ["temperature", "speed", "height", "blade_offset"] {
-        let is_other = s.contains(key) && !own.iter().any(|(own_key, _)| *own_key == key);
+        let is_other = s.contains(key) && !settings.iter().any(|(setting, _)| *setting == key);
         if is_other && (word.is_some() || !s.contains("tool")) {
             let tool = match word {
                 Some(ToolWord::HotTip) => "beside the tool \"hot-tip\"",
@@ -211,8 +211,8 @@ mod tests {
             (format!("{hot}temperature = \"nan C\"\n"), vec!["not-a-number"]),
         ] {
             let faults = reading(&cut).expect_err("a fault");
-            let found: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
-            assert_eq!(found, codes, "{cut}: {faults}");
+            let fault_codes: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
+            assert_eq!(fault_codes, codes, "{cut}: {faults}");
         }
     }
 }

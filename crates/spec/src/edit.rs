@@ -285,9 +285,9 @@ mod tests {
             added.starts_with(TEXT) && added.ends_with("[process.weak]\nspeed = \"0.2 mm/s\"\n"),
             "{added}"
         );
-        let both = process(&added, "weak", passes, Some("2"));
-        assert!(both.ends_with("speed = \"0.2 mm/s\"\npasses = 2\n"), "{both}");
-        assert_eq!(process(&both, "weak", passes, None), added);
+        let extended = process(&added, "weak", passes, Some("2"));
+        assert!(extended.ends_with("speed = \"0.2 mm/s\"\npasses = 2\n"), "{extended}");
+        assert_eq!(process(&extended, "weak", passes, None), added);
         assert!(process(&added, "weak", speed, None).ends_with("[process.weak]\n"), "seams may name it");
         let inline = process("process = { weak = { passes = 1 } }\n", "weak", passes, Some("3"));
         assert_eq!(inline, "process = { weak = { passes = 3 } }\n");

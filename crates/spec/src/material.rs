@@ -139,7 +139,7 @@ mod tests {
         [star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\nouter_process = \"weak\"\n\
         [process.weak]\nspeed = \"1 mm/s\"\n";
 
-    fn with(spec: &str, material: &str) -> Result<String, Faults> {
+    fn completed(spec: &str, material: &str) -> Result<String, Faults> {
         with_material(&Source::new("star.toml", spec), &Source::new("fabric.toml", material))
     }
 
@@ -151,7 +151,7 @@ mod tests {
     fn nothing_is_written_that_the_material_does_not_state() {
         let measured = "# 3 specimens\n[fabric]\nseal_strength = \"3 N/mm\" # T-peel\n[seal]\nspeed = \"0.2 mm/s\"\n\
             [process.weak]\ntemperature = \"170 C\"\n[process.other]\nspeed = \"5 mm/s\"\n[press]\ntime = \"9 s\"\n";
-        let text = with(STAR, measured).expect("sound");
+        let text = completed(STAR, measured).expect("sound");
         let spec = spec_of(&text);
         assert_eq!((spec.fabric.thickness.0, spec.seal.speed.0), (0.2, 0.2));
         assert_eq!(spec.fabric.seal_strength, Some(LineForce(3.0)));
@@ -167,25 +167,25 @@ mod tests {
 
     #[test]
     fn a_thickness_makes_another_fabric() {
-        let spec = spec_of(&with(STAR, "[fabric]\nthickness = \"0.4 mm\"\n").expect("sound"));
+        let spec = spec_of(&completed(STAR, "[fabric]\nthickness = \"0.4 mm\"\n").expect("sound"));
         assert_eq!((spec.fabric.thickness.0, spec.fabric.areal_density), (0.4, None));
-        let whole = format!("{}[seal]\nspeed = \"7 mm/s\"\n", STAR.replace("0.2 mm", "0.5 mm"));
-        let spec = spec_of(&with(STAR, &whole).expect("sound"));
+        let material = format!("{}[seal]\nspeed = \"7 mm/s\"\n", STAR.replace("0.2 mm", "0.5 mm"));
+        let spec = spec_of(&completed(STAR, &material).expect("sound"));
         assert_eq!((spec.fabric.thickness.0, spec.seal.speed.0), (0.5, 0.1));
     }
 
     #[test]
     fn one_strength_replaces_the_other_and_a_press_its_own_settings() {
         let spec = STAR.replace("[star]", "seal_strength = \"1 N/mm\"\n[star]");
-        let text = with(&spec, "[seal]\nstrength = \"2 N/mm\"\n").expect("sound");
+        let text = completed(&spec, "[seal]\nstrength = \"2 N/mm\"\n").expect("sound");
         assert_eq!(spec_of(&text).fabric.seal_strength, Some(LineForce(2.0)));
         let pressed = "schema = 1\nname = \"x\"\n[machine]\nprofile = \"press\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\n\
             tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";
         let material = "[press]\ntime = \"9 s\"\n[seal]\nspeed = \"1 mm/s\"\n";
-        let press = spec_of(&with(pressed, material).expect("sound")).press.expect("a press");
+        let press = spec_of(&completed(pressed, material).expect("sound")).press.expect("a press");
         assert_eq!(press.time.0, 9.0);
         let paper = builtin_material("paper").expect("built in");
-        assert!(spec_of(&with(pressed, paper).expect("sound")).press.is_some());
+        assert!(spec_of(&completed(pressed, paper).expect("sound")).press.is_some());
     }
 
     #[test]
@@ -201,9 +201,11 @@ mod tests {
             ("# nothing\n", "not-a-spec"),
             ("", "not-a-spec"),
         ] {
-            assert_eq!(with(STAR, material).expect_err(material).list()[0].code, code, "{material}");
+            assert_eq!(completed(STAR, material).expect_err(material).list()[0].code, code, "{material}");
         }
-        assert_eq!(with("[star", "[fabric]\n").expect("the spec's own reader tells"), "[star");
-        assert!(builtin_materials().all(|name| with(STAR, builtin_material(name).unwrap_or("")).is_ok()));
+        assert_eq!(completed("[star", "[fabric]\n").expect("the spec's own reader tells"), "[star");
+        assert!(
+            builtin_materials().all(|name| completed(STAR, builtin_material(name).unwrap_or("")).is_ok())
+        );
     }
 }

@@ -125,6 +125,7 @@ fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     text += &accuracy.text;
     let mut machine = Section::new("[machine]");
     let _ = writeln!(machine.text, "profile = {profile:?}");
+    machine.maybe(dice, 0.2, "marks", |_| "\"pause\"".to_owned());
     machine.maybe(dice, 0.3, "program", |_| "\"sheet\"".to_owned());
     // Strokes are thousands of lines: only stars that are not large.
     let chop = chops && w * rho < 2000.0;

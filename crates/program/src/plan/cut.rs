@@ -23,8 +23,7 @@ const TIGHTEST: f64 = 0.5;
 pub fn cut_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
     let Some(process) = spec.cut.program else { return Vec::new() };
     let cut_spec = spec.cut_by(&process);
-    let program = |sheet: usize| cut_program(&cut_spec, machine, process, design, sheet);
-    design.sheets.iter().map(|sheet| program(sheet.index)).collect()
+    design.sheets.iter().map(|sheet| cut_program(&cut_spec, machine, process, design, sheet.index)).collect()
 }
 
 /// The program that cuts sheet number `sheet`; `cut_spec` has the cut in the place of its seal.

@@ -30,6 +30,6 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed
         follow(&seam.run);
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
-    let scope = scope(Purpose::Trace, *sheet, placed);
-    Program::new(spec, machine, scope, steps, SeamList::default()).on_sheet_of(design)
+    let trace_scope = scope(Purpose::Trace, *sheet, placed);
+    Program::new(spec, machine, trace_scope, steps, SeamList::default()).on_sheet_of(design)
 }

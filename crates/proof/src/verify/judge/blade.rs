@@ -47,17 +47,16 @@ impl<'a> BladeJudge<'a> {
         let length = path.length();
         let steps = (FINENESS * length / self.offset).ceil().clamp(1.0, MOST_STEPS);
         let steps = if is_straight && is_aligned { 1.0 } else { steps };
-        let tip_at = |t: f64, direction: f64| path.point(t) - Vec2::unit(direction) * self.offset;
-        let mut tip = tip_at(0.0, direction);
+        let mut tip = path.start() - Vec2::unit(direction) * self.offset;
         let mut i = 0.0;
         while i < steps {
             let [t, end] = [i / steps, (i + 1.0) / steps];
             direction = turned(path, [t, end], direction, length / steps / self.offset);
-            let next = tip_at(end, direction);
-            let height = |t: f64| step.from.z + (step.to.z - step.from.z) * t;
+            let next = path.point(end) - Vec2::unit(direction) * self.offset;
+            let heights = [t, end].map(|fraction| step.from.z + (step.to.z - step.from.z) * fraction);
             let moved = (tip.distance(next) > 1e-9).then(|| Line::new(tip, next).into());
             let [from, to] =
-                [(tip, t), (next, end)].map(|(place, t)| Point3::new(place.x, place.y, height(t)));
+                [(tip, heights[0]), (next, heights[1])].map(|(place, z)| Point3::new(place.x, place.y, z));
             self.inner.step(&Move { from, to, path: moved, ..*step }, findings);
             (tip, i) = (next, i + 1.0);
         }
@@ -67,13 +66,17 @@ impl<'a> BladeJudge<'a> {
 
 /// The direction of a blade that had `direction`, after the part of `path` between two fractions, which is `turns` offsets long.
 fn turned(path: &Segment, [start, end]: [f64; 2], direction: f64, turns: f64) -> f64 {
-    let rate = |t: f64, direction: f64| libm::sin(path.tangent(t).angle() - direction) * turns;
     let middle = 0.5 * (start + end);
-    let first = rate(start, direction);
-    let second = rate(middle, direction + 0.5 * first);
-    let third = rate(middle, direction + 0.5 * second);
-    let fourth = rate(end, direction + third);
+    let first = turns * slip(path, start, direction);
+    let second = turns * slip(path, middle, direction + 0.5 * first);
+    let third = turns * slip(path, middle, direction + 0.5 * second);
+    let fourth = turns * slip(path, end, direction + third);
     direction + (first + 2.0 * second + 2.0 * third + fourth) / 6.0
+}
+
+/// The sine of the angle from a blade of `direction` to `path` at the fraction `t` of it.
+fn slip(path: &Segment, t: f64, direction: f64) -> f64 {
+    libm::sin(path.tangent(t).angle() - direction)
 }
 
 impl Judge for BladeJudge<'_> {
@@ -81,8 +84,8 @@ impl Judge for BladeJudge<'_> {
         let (phase, _) = self.rules.follow(&mut self.count, step);
         match (&step.path, phase) {
             (Some(path), Phase::Down | Phase::Contact | Phase::Up) => {
-                let known = self.direction;
-                let direction = known.unwrap_or_else(|| self.first_direction(path.start()));
+                let previous = self.direction;
+                let direction = previous.unwrap_or_else(|| self.first_direction(path.start()));
                 self.direction = Some(self.follow(step, path, direction, findings));
             }
             (_, Phase::Clear) => {
@@ -129,8 +132,8 @@ mod tests {
         let swivel: Segment = Arc::new(Point::ORIGIN, 0.25, 0.3, 1.2).into();
         assert!((direction_after(&swivel, 0.3, 0.25) - 1.5).abs() < 1e-6);
         let circle: Segment = Arc::new(Point::ORIGIN, 2.0, 0.0, 1.0).into();
-        let behind = libm::asin(0.5 / 2.0);
-        let start = std::f64::consts::FRAC_PI_2 - behind;
+        let lag = libm::asin(0.5 / 2.0);
+        let start = std::f64::consts::FRAC_PI_2 - lag;
         assert!((direction_after(&circle, start, 0.5) - (start + 1.0)).abs() < 1e-6);
     }
 }

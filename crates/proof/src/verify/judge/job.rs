@@ -36,6 +36,9 @@ impl ProgramTask<'_> {
     }
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
+    ///
+    /// The program is read once, and every judge sees every line and move: those of any program, those of a hot or a cold tool, and one
+    /// that compares the path with the task's.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Self { spec, machine, work, area, .. } = *self;
         let hot = work != ProgramWork::Trace;

@@ -147,11 +147,9 @@ mod tests {
         let judge = Box::new(ReadyJudge::new(surface, true));
         let dialect = Dialect::new(spec::Dialect::Marlin);
         let _ = judged(text.split_inclusive('\n'), dialect, vec![judge], &mut findings);
-        let is_own = |code: &str| {
-            ["unhomed-axis", "hot-bed", "feed-override", "stray-heat", "too-deep"].contains(&code)
-        };
-        let own = findings.into_vec().into_iter().filter(|finding| is_own(finding.code));
-        own.map(|finding| (finding.code, finding.line.expect("a line"))).collect()
+        let codes = ["unhomed-axis", "hot-bed", "feed-override", "stray-heat", "too-deep"];
+        let of_judge = findings.into_vec().into_iter().filter(|finding| codes.contains(&finding.code));
+        of_judge.map(|finding| (finding.code, finding.line.expect("a line"))).collect()
     }
 
     #[test]
@@ -174,7 +172,7 @@ mod tests {
         ] {
             assert_eq!(findings_of(&format!("{head}{way}"), surface), expected, "{head}");
         }
-        let late = "G90\nG0 Z30 F600\nG28\nG0 X0 Y0 F600\nM84\n";
-        assert_eq!(findings_of(late, 1.0), [("unhomed-axis", 3)]);
+        let homed_late = "G90\nG0 Z30 F600\nG28\nG0 X0 Y0 F600\nM84\n";
+        assert_eq!(findings_of(homed_late, 1.0), [("unhomed-axis", 3)]);
     }
 }

@@ -84,7 +84,9 @@ impl<'a> ProgramTask<'a> {
 
     /// The task of the program that cuts `sheet` with `tool`; `spec` has the cut in the place of its seal. `None` if there is no such sheet.
     pub(super) fn of_cut(
-        (spec, machine, design): (&'a Spec, &'a Machine, &Design),
+        spec: &'a Spec,
+        machine: &'a Machine,
+        design: &Design,
         tool: CutTool,
         sheet: usize,
     ) -> Option<Self> {

@@ -159,8 +159,8 @@ fn file(
         (Subject::Cut, Format::Gcode) => {
             let Some(process) = expected.spec.cut.program else { return (Method::Hash, None) };
             let cut_spec = expected.spec.cut_by(&process);
-            let parts = (&cut_spec, expected.machine, expected.design);
-            let task = ProgramTask::of_cut(parts, process.tool, output.part.sheet().unwrap_or(0));
+            let sheet = output.part.sheet().unwrap_or(0);
+            let task = ProgramTask::of_cut(&cut_spec, expected.machine, expected.design, process.tool, sheet);
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
         // Every subject is named, so that a new one must be given its method of proof.
