@@ -44,10 +44,10 @@ pub(super) struct Args {
     /// Required ratio of the seal's strength to its load, 1 to 100.
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
-    /// The process that the values are for: a section [process.NAME] is printed in the place of [seal].
+    /// The process that the values are for: a section `[process.NAME]` is printed in the place of `[seal]`.
     #[arg(long, value_name = "NAME", requires = "results", value_parser = process_name)]
     process: Option<String>,
-    /// The table is of a heat press: a section [press] is printed in the place of [seal].
+    /// The table is of a heat press: a section `[press]` is printed in the place of `[seal]`.
     #[arg(long, requires = "results", conflicts_with = "process")]
     press: bool,
     #[command(flatten)]

@@ -49,7 +49,7 @@ pub(super) struct Args {
     /// How often each setting is sealed; default: 3.
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: Option<u8>,
-    /// The process of the spec that is tested, in the place of [seal]: its settings are the defaults.
+    /// The process of the spec that is tested, in the place of `[seal]`: its settings are the defaults.
     #[arg(long, value_name = "NAME")]
     process: Option<String>,
     #[command(flatten)]

@@ -75,7 +75,7 @@ fn design(forecast: &Forecast) -> String {
     text
 }
 
-/// The process, the line and the pass of a contact, in brackets; empty where every seam is sealed once by the process of [seal].
+/// The process, the line and the pass of a contact, in brackets; empty where every seam is sealed once by the process of `[seal]`.
 fn made_by(program: &Program, seam: &SeamReport) -> String {
     if program.is_plain() {
         return String::new();

@@ -145,7 +145,7 @@ fn correct(loaded: &Loaded, measured: Duration, verbosity: Verbosity) -> Result<
     verbosity.report(&text, &json)
 }
 
-/// The remedy that changes `key` of [motion].
+/// The remedy that changes `key` of `[motion]`.
 fn in_profile(key: &str, value: &str, present: &str) -> String {
     format!(
         "write `{key} = \"{value}\"` in [motion] of your own profile, in place of {present} (`stargrip-cam machines show` prints one \

@@ -605,6 +605,9 @@ class Chamber:
     def burst_range_kPa(self) -> tuple[float, float] | None:
         """Range of the burst pressure."""
     @property
+    def bursts_first(self) -> dict[str, Any] | None:
+        """The seam that opens first, where seams are sealed by several processes."""
+    @property
     def largest_stretch(self) -> dict[str, Any] | None:
         """Largest principal stretch."""
     @property

@@ -59,7 +59,7 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     block
 }
 
-/// The processes of the programs of `sheet` that do more than seal once by [seal], each once.
+/// The processes of the programs of `sheet` that do more than seal once by `[seal]`, each once.
 fn processes(preview: &Preview<'_>, sheet: usize) -> Vec<SealProcess> {
     let programs = preview.programs.iter().filter(|program| program.sheet == sheet && !program.is_plain());
     let mut processes: Vec<SealProcess> = Vec::new();

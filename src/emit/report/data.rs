@@ -85,7 +85,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
     data
 }
 
-/// The processes in the order of sealing; none where every seam is sealed once by that of [seal].
+/// The processes in the order of sealing; none where every seam is sealed once by that of `[seal]`.
 fn processes(report: &Report<'_>) -> Option<(String, Value)> {
     let processes: Vec<Value> = process_times(report.programs)
         .into_iter()
