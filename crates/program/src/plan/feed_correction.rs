@@ -21,11 +21,11 @@ const LONGEST_DELAY: f64 = 1.0;
 pub enum FeedCorrection {
     /// None: a stopwatch shows no difference.
     None,
-    /// Strokes speed up in another way: `acceleration` in [motion].
+    /// Strokes speed up in another way: `acceleration` in `[motion]`.
     Acceleration(Acceleration),
-    /// Strokes begin after another delay: `start_delay` in [motion].
+    /// Strokes begin after another delay: `start_delay` in `[motion]`.
     StartDelay(Duration),
-    /// No value of the profile explains it: the `speed` in [seal] at which a line takes its time.
+    /// No value of the profile explains it: the `speed` in `[seal]` at which a line takes its time.
     SealSpeed(Speed),
     /// More time is lost or won than strokes take: the controller waits in another unit, or not at all.
     Dwell,

@@ -12,7 +12,7 @@ pub struct ProcessTime<'a> {
     pub seconds: f64,
 }
 
-/// The processes of `programs` in the order of sealing; empty where every seam is sealed once by the process of [seal].
+/// The processes of `programs` in the order of sealing; empty where every seam is sealed once by the process of `[seal]`.
 pub fn process_times(programs: &[Program]) -> Vec<ProcessTime<'_>> {
     let mut times: Vec<ProcessTime<'_>> = Vec::new();
     if programs.iter().all(Program::is_plain) {
