@@ -142,8 +142,7 @@ fn lines(points: &[Point]) -> Vec<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use spec::SealPause;
-    use spec::units::{Duration, Speed, Temperature};
+    use spec::units::{Speed, Temperature};
 
     fn seal() -> Seal {
         Seal {
@@ -153,12 +152,7 @@ mod tests {
             overlap: Length(5.0),
             allowance: Length(8.0),
             hole_allowance: Length(1.0),
-            height: None,
-            passes: 1,
-            lines: None,
-            tip: None,
-            cool: Duration(0.0),
-            pause: SealPause::Never,
+            ..Seal::default()
         }
     }
 

@@ -16,16 +16,17 @@ use spec::{MaskKind, Spec};
 pub use proof::manifest::{
     CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest,
     ManifestAlignment, ManifestCut, ManifestFile, ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts,
-    ManifestPrediction, ManifestSeam, ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool,
-    sha256,
+    ManifestPrediction, ManifestSeam, ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam,
+    SeamMaking, Tool, sha256,
 };
 
-/// The manifest of `design`, with `spec`, the sealing `programs` and the `prediction` at the pressure of `[load]`; its list of files is
-/// still empty.
+/// The manifest of `design`, with `spec`, the sealing `programs`, the `cuts` of the sheets and the `prediction` at the pressure of `[load]`; its
+/// list of files is still empty.
 pub fn manifest_of(
     spec: &Spec,
     design: &Design,
     programs: &[Program],
+    cuts: &[Program],
     prediction: Option<&Prediction>,
 ) -> Manifest {
     let assembly = design.assembly();
@@ -53,7 +54,7 @@ pub fn manifest_of(
         mass_g: mass.sum::<Option<f64>>().map(thousandths),
         pieces,
         stars,
-        cuts: Vec::new(),
+        cuts: cuts_of(cuts),
         aligned: design.alignment.as_ref().map(ManifestAlignment::new),
         prediction: at_pressure.map(predicted::summary),
         only: Vec::new(),
@@ -62,7 +63,7 @@ pub fn manifest_of(
 }
 
 /// The figures of the `programs` that cut the sheets.
-pub fn cuts_of(programs: &[Program]) -> Vec<ManifestCut> {
+fn cuts_of(programs: &[Program]) -> Vec<ManifestCut> {
     let cut = |program: &Program| ManifestCut {
         sheet: program.sheet,
         length_mm: thousandths(program.seams.iter().map(|cut| cut.length).sum()),
@@ -90,9 +91,7 @@ fn star(spec: &Spec, assembly: &StarAssembly, program: &Program, index: usize) -
             length_mm: thousandths(seam.length),
             overlap_mm: thousandths(seam.overlap),
             time_s: thousandths(seam.time),
-            process: seam.process,
-            passes: seam.passes,
-            lines: seam.lines,
+            making: seam.making,
         })
         .collect();
     let part = assembly.part(assembly.stars.iter().find(|star| star.index == index)?);
@@ -116,11 +115,7 @@ struct SeamTotal<'a> {
     overlap: f64,
     /// Time in contact, ramps included, s.
     time: f64,
-    /// Name of its process, unless it is that of `[seal]`.
-    process: Option<String>,
-    /// Numbers of passes and lines, if there are several.
-    passes: Option<u32>,
-    lines: Option<u32>,
+    making: SeamMaking,
 }
 
 /// The seams of `program` in the order of their first contacts.
@@ -130,22 +125,24 @@ fn seam_totals(program: &Program) -> Vec<SeamTotal<'_>> {
         let SeamReport { name, length, overlap, time, line, pass, .. } = seam;
         if let Some(total) = totals.last_mut().filter(|total| total.name == name) {
             (total.length, total.time) = (total.length + length, total.time + time);
-            total.passes = total.passes.max(Some(*pass).filter(|pass| *pass > 1));
-            total.lines = total.lines.max(Some(*line).filter(|line| *line > 1));
+            let SeamMaking { passes, lines, .. } = &mut total.making;
+            *passes = (*passes).max(Some(*pass).filter(|pass| *pass > 1));
+            *lines = (*lines).max(Some(*line).filter(|line| *line > 1));
             continue;
         }
         let process = &program.processes[seam.process].process;
         let process = (!process.is_default()).then(|| process.name.clone());
         let (length, overlap, time) = (*length, *overlap, *time);
-        totals.push(SeamTotal { name, length, overlap, time, process, passes: None, lines: None });
+        let making = SeamMaking { process, ..SeamMaking::default() };
+        totals.push(SeamTotal { name, length, overlap, time, making });
     }
     totals
 }
 
 /// `seam` as the manifest has it, called `name`.
 fn sealed_seam(name: String, seam: SeamTotal<'_>) -> SealedSeam {
-    let SeamTotal { length, time, process, passes, lines, .. } = seam;
-    SealedSeam { name, length_mm: thousandths(length), time_s: thousandths(time), process, passes, lines }
+    let SeamTotal { length, time, making, .. } = seam;
+    SealedSeam { name, length_mm: thousandths(length), time_s: thousandths(time), making }
 }
 
 /// The piece of the coupon `name`, sealed by `program`.

@@ -2,7 +2,7 @@
 
 use crate::manifest::bill::thousandths;
 use design::{Design, FlatPiece, PlacedPart, StarAssembly};
-use proof::manifest::{ManifestSeam, ManifestStar, SealedPiece, SealedSeam};
+use proof::manifest::{ManifestSeam, ManifestStar, SealedPiece, SealedSeam, SeamMaking};
 use sealed::Seam;
 use spec::{Press, Spec};
 
@@ -12,9 +12,7 @@ pub(super) fn pieces(press: &Press, design: &Design) -> Vec<SealedPiece> {
         name: seam.name.clone(),
         length_mm: thousandths(seam.center_line.length()),
         time_s: thousandths(press.time.0),
-        process: None,
-        passes: None,
-        lines: None,
+        making: SeamMaking::default(),
     };
     let piece = |placed: &PlacedPart| SealedPiece {
         name: placed.name().word(),
@@ -33,9 +31,7 @@ pub(super) fn stars(spec: &Spec, press: &Press, assembly: &StarAssembly) -> Vec<
         length_mm: thousandths(seam.center_line.length()),
         overlap_mm: 0.0,
         time_s: time,
-        process: None,
-        passes: None,
-        lines: None,
+        making: SeamMaking::default(),
     };
     let star = |placed: &PlacedPart| {
         let part = assembly.part(placed);

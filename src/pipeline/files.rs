@@ -1,7 +1,7 @@
 //! Makes the files of a forecast gripper: one match arm for every subject and format.
 
 use crate::emit;
-use crate::manifest::{Manifest, ManifestFile, cuts_of, manifest_of};
+use crate::manifest::{Manifest, ManifestFile, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
 use design::PressPlan;
 use forecast::charts::charts;
@@ -37,8 +37,9 @@ impl Forecast {
     /// The manifest of `files`, which `request` selects.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
         let KindRequest { only, with } = request.clone();
-        let bill = manifest_of(&self.spec, &self.design, &self.programs, self.prediction.as_ref());
-        Manifest { files, only, with, cuts: cuts_of(&self.cuts), ..bill }
+        let bill =
+            manifest_of(&self.spec, &self.design, &self.programs, &self.cuts, self.prediction.as_ref());
+        Manifest { files, only, with, ..bill }
     }
 }
 
@@ -120,7 +121,8 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
     let chart_list = charts(spec, design);
     let glb = scene(forecast)?;
-    let bill = manifest_of(spec, design, programs, None);
+    // The page does not list the cuts.
+    let bill = manifest_of(spec, design, programs, &[], None);
     let precautions = forecast.precautions(SPEC);
     let watch: Vec<(&str, &str)> =
         precautions.iter().map(|one| (one.code.as_str(), one.text.as_str())).collect();

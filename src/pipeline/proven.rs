@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::manifest::{
-    CouponManifest, MANIFEST, Manifest, ManifestAlignment, ManifestFile, Tool, cuts_of, manifest_of, sha256,
+    CouponManifest, MANIFEST, Manifest, ManifestAlignment, ManifestFile, Tool, manifest_of, sha256,
 };
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
@@ -267,8 +267,7 @@ fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     let Forecast { spec, machine, design, programs, cuts, prediction, drawn: drawn_forecast, .. } = forecast;
-    let bill = manifest_of(spec, design, programs, prediction.as_ref());
-    let manifest = &Manifest { cuts: cuts_of(cuts), ..bill };
+    let manifest = &manifest_of(spec, design, programs, cuts, prediction.as_ref());
     let drawn_json = drawn_forecast.as_ref().map(|drawn_forecast| drawn_forecast.prediction.to_json());
     let prediction = drawn_json.or_else(|| Some(prediction.as_ref()?.to_json()));
     let expected = Expected { design, spec, machine, prediction: prediction.as_deref(), manifest };

@@ -11,7 +11,7 @@ use spec::{Machine, Spec};
 /// The reason for which a sheet that was found again has no programs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AlignedFault {
-    /// The directory is no build of this version as it was published.
+    /// The directory is not a build of this version as it was published.
     NotABuild(String),
     /// The directory has programs for a sheet that was found again.
     Twice,

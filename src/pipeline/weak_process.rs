@@ -1,6 +1,7 @@
 //! Seams of several strengths: whether the weak one opens first.
 
 use crate::pipeline::Forecast;
+use program::plan::distinct_processes;
 use spec::SealProcess;
 use spec::units::LineForce;
 
@@ -10,7 +11,7 @@ const WEAK: [&str; 3] = ["weak", "tear", "peel"];
 /// The notes on the processes of the seams of `forecast`: which is the weakest, and which should be but is not.
 pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
     let spec = &forecast.spec;
-    let processes = used_processes(forecast);
+    let processes = distinct_processes(&forecast.programs);
     if processes.len() < 2 {
         return Vec::new();
     }
@@ -34,33 +35,20 @@ pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
     texts
 }
 
-/// The processes by which seams of the design are sealed, each once.
-fn used_processes(forecast: &Forecast) -> Vec<SealProcess> {
-    let mut processes: Vec<SealProcess> = Vec::new();
-    for program in &forecast.programs {
-        for paced in &program.processes {
-            if processes.iter().all(|process| process.name != paced.process.name) {
-                processes.push(paced.process.clone());
-            }
-        }
-    }
-    processes
-}
-
 fn is_weak(process: &SealProcess) -> bool {
     WEAK.iter().any(|word| process.name.starts_with(word))
 }
 
 /// The process with the least strength, if all strengths are known and differ.
-fn weakest(processes: &[SealProcess]) -> Option<(&SealProcess, LineForce)> {
+fn weakest<'p>(processes: &[&'p SealProcess]) -> Option<(&'p SealProcess, LineForce)> {
     let strengths: Vec<(&SealProcess, LineForce)> =
-        processes.iter().map(|process| Some((process, process.strength?))).collect::<Option<_>>()?;
+        processes.iter().map(|process| Some((*process, process.strength?))).collect::<Option<_>>()?;
     let lowest = strengths.iter().copied().min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
     strengths.iter().any(|(_, strength)| *strength != lowest.1).then_some(lowest)
 }
 
 /// The warning that a process whose name says that it is weak is as strong as another.
-fn stronger_than_others(weak: &SealProcess, processes: &[SealProcess]) -> Option<String> {
+fn stronger_than_others(weak: &SealProcess, processes: &[&SealProcess]) -> Option<String> {
     let peel = weak.strength?;
     let other = processes.iter().find(|other| {
         other.name != weak.name && other.strength.is_some_and(|strength| strength.0 <= peel.0)

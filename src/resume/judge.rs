@@ -2,7 +2,6 @@
 
 use crate::resume::record::{Record, StatedProcess};
 use geom::Bounds;
-use program::plan::Pace;
 use proof::verify::{Finding, FindingCode, judge_iron};
 use spec::units::Speed;
 use spec::{Limits, limits_set_by};
@@ -34,10 +33,7 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
     let feeds = || record.all_processes().map(StatedProcess::feed);
     let contact = feeds().fold(f64::INFINITY, f64::min);
-    let acceleration = record.all_processes().find_map(|stated| match stated.pace {
-        Pace::Steady => None,
-        Pace::Chopped(chop) => Some(chop.acceleration),
-    });
+    let acceleration = record.stroke_acceleration();
     let fastest = feeds().fold(record.process.travel_speed.0, f64::max);
     let longest = seconds.min(DAY);
     match (set, acceleration) {

@@ -8,7 +8,7 @@ use proof::verify::gcode::Comment;
 use proof::verify::{ContactRule, IronRules};
 use spec::units::{Acceleration, Duration, Length, Speed, Temperature};
 use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
-use spec::{Motion, Process, Seal, SealPause, SheetPlace, StepRate, TOXIC};
+use spec::{Motion, Process, Seal, SheetPlace, StepRate, TOXIC};
 use std::collections::HashMap;
 
 /// The statements of a file's header.
@@ -284,12 +284,7 @@ impl Header {
             overlap: self.length("seal", "overlap_mm")?,
             allowance: Length(0.0),
             hole_allowance: Length(0.0),
-            height: None,
-            passes: 1,
-            lines: None,
-            tip: None,
-            cool: Duration(0.0),
-            pause: SealPause::Never,
+            ..Seal::default()
         })
     }
 

@@ -9,11 +9,9 @@ use inflatable::numerics::last_holding;
 use program::plan::TravelLimits;
 use proof::verify::Phase;
 use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
-use spec::LEAST_ACCELERATION;
+use spec::{LEAST_ACCELERATION, MOST_ACCELERATION};
 use std::ops::Range;
 
-/// An acceleration that no machine exceeds, mm/s^2: from there on travels count as at speed at once.
-const MOST_ACCELERATION: f64 = 1e6;
 /// Rounds of a search for an acceleration: each halves the logarithm of the range, down to a millionth.
 const ROUNDS: u32 = 30;
 
@@ -180,6 +178,7 @@ impl<'a> Toolpath<'a> {
     fn fitted_acceleration(&self) -> Option<f64> {
         let seconds = self.stated? - self.sealing - self.cooling;
         let is_quick = |acceleration: f64| self.travelling(Some(acceleration)) <= seconds;
+        // From the largest acceleration on travels count as at speed at once.
         (self.travelling(Some(MOST_ACCELERATION)) < seconds)
             .then(|| last_holding(MOST_ACCELERATION, LEAST_ACCELERATION, ROUNDS, is_quick))
     }

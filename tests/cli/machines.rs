@@ -151,8 +151,8 @@ fn a_profile_is_checked_without_a_spec() {
     fs::write(dir.path().join("faulty.toml"), faulty).expect("written");
     let words = ["contact", "semi", "did you mean", "rmap"];
     let _ = fails(dir.path(), &["machines", "check", "faulty.toml"], 1, &words);
-    let refused = run(dir.path(), &["machines", "check", "faulty.toml", "--json"]);
-    assert_eq!(json_of(&stdout(&refused))["refused"].as_array().map(Vec::len), Some(3));
+    let output = run(dir.path(), &["machines", "check", "faulty.toml", "--json"]);
+    assert_eq!(json_of(&stdout(&output))["refused"].as_array().map(Vec::len), Some(3));
     let _ =
         fails(dir.path(), &["machines", "check", "star.toml"], 1, &["this is a spec, not a machine profile"]);
     let _ = fails(dir.path(), &["machines", "check", "no.toml"], 1, &["cannot read no.toml"]);

@@ -294,8 +294,8 @@ fn a_weak_wall_opens_first_below_the_pressure_of_a_tube() {
         coarse(&of_text(&text, svg.as_bytes())).prediction
     });
     let seams = predictions[0].chambers.iter().flat_map(|chamber| chamber.seams.iter().flatten());
-    let along = seams.filter(|seam| seam.seam == "wall").flat_map(|seam| &seam.along);
-    let middle: Vec<f64> = along.filter(|row| (60.0..80.0).contains(&row[0])).map(|row| row[2]).collect();
+    let rows = seams.filter(|seam| seam.seam == "wall").flat_map(|seam| &seam.along);
+    let middle: Vec<f64> = rows.filter(|row| (60.0..80.0).contains(&row[0])).map(|row| row[2]).collect();
     let tube = 0.03 * 19.0 / std::f64::consts::PI;
     assert!(
         middle.len() > 3 && middle.iter().all(|pull| (1.0..1.2).contains(&(pull / tube))),

@@ -283,7 +283,7 @@ fn masses_of_manifest_and_prediction_are_the_same() {
         spec.stars[2].inner_radius = Length(48.0);
         let design = design(&spec).expect("makeable");
         let programs = plan::seal_programs(&spec, &machine(), &design);
-        let manifest = manifest_of(&spec, &design, &programs, None);
+        let manifest = manifest_of(&spec, &design, &programs, &[], None);
         let prediction = predict::predict(&spec, &design).expect("predictable");
         let printed = |mass: Option<f64>| format!("{:.3}", mass.expect("density is given"));
         for (listed, predicted) in manifest.stars.iter().zip(&prediction.stars) {

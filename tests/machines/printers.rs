@@ -143,12 +143,9 @@ fn heaters_have_numbers_and_names() {
     }
     assert!(resume(&code, ResumeAt::Share(0.5), None).expect("resumed").text.contains("\nM109 T1 S200\n"));
 
-    let named = changed("klipper-printer", "heating = \"hotend\"", "heating = \"heater tip\"").replacen(
-        "\"M104 S0\"",
-        "\"SET_HEATER_TEMPERATURE HEATER=tip TARGET=0\"",
-        1,
-    );
-    let build = built_for("klipper-printer", &named);
+    let with_heater = changed("klipper-printer", "heating = \"hotend\"", "heating = \"heater tip\"")
+        .replacen("\"M104 S0\"", "\"SET_HEATER_TEMPERATURE HEATER=tip TARGET=0\"", 1);
+    let build = built_for("klipper-printer", &with_heater);
     assert_eq!(read_back(&build.output_files()).findings, []);
     let code = text(&build, SEAL);
     let wait = "TEMPERATURE_WAIT SENSOR=\"heater_generic tip\" MINIMUM=198\n";

@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::{CutEdge, Design, Drawing, Layer, Product, Shape};
 use geom::{Bounds, Isometry, Path, Point};
+use spec::{Marks, Spec};
 
 /// Largest turn, rad: 2 degrees. A sheet that lies more askew is laid straight by hand.
 const LARGEST_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
@@ -61,9 +62,9 @@ impl fmt::Display for AlignmentFault {
                 f,
                 "the sheet is turned by {degrees:.2} deg: at most 2 deg are allowed; lay it straighter, and measure again"
             ),
-            Self::Shift(distance, most) => write!(
+            Self::Shift(distance, largest) => write!(
                 f,
-                "the sheet is shifted by {distance:.1} mm: at most {most:.1} mm are allowed, 5 % of its longer side; lay it nearer to its place, and measure again"
+                "the sheet is shifted by {distance:.1} mm: at most {largest:.1} mm are allowed, 5 % of its longer side; lay it nearer to its place, and measure again"
             ),
         }
     }
@@ -87,13 +88,26 @@ impl Design {
             for second in &centers[i..] {
                 let distance = first.distance(*second);
                 // Rounding must not decide between pairs that are equally far apart.
-                if farthest.is_none_or(|(_, most)| distance > most + 1e-6) {
+                if farthest.is_none_or(|(_, largest)| distance > largest + 1e-6) {
                     farthest = Some(([*first, *second], distance));
                 }
             }
         }
         let [a, b] = farthest?.0;
         Some(if b.distance(Point::ORIGIN) < a.distance(Point::ORIGIN) - 1e-6 { [b, a] } else { [a, b] })
+    }
+
+    /// The marks at which programs of `spec` for sheet number `sheet` stop; none unless the spec asks for it.
+    pub fn stops(&self, spec: &Spec, sheet: usize) -> Vec<Point> {
+        match spec.machine.marks {
+            Marks::Ignored => Vec::new(),
+            Marks::Pause => self.marks(sheet).map_or_else(Vec::new, Vec::from),
+        }
+    }
+
+    /// The motion of sheet number `sheet`, which was found again; `None` for a sheet where it was laid out.
+    pub fn motion(&self, sheet: usize) -> Option<Isometry> {
+        self.alignment.filter(|alignment| alignment.sheet == sheet).map(|alignment| alignment.motion)
     }
 
     /// The place of sheet number `sheet` whose marks were found at `measured`.
@@ -146,8 +160,7 @@ impl Design {
     pub fn sheet_bounds(&self, sheet: usize) -> Option<Bounds> {
         let layout = self.sheets.iter().find(|layout| layout.index == sheet)?;
         let bounds = Bounds { min: Point::ORIGIN, max: Point::new(layout.width, layout.height) };
-        let alignment = self.alignment.filter(|alignment| alignment.sheet == sheet);
-        Some(alignment.map_or(bounds, |alignment| alignment.motion.path(&Path::rectangle(&bounds)).bounds()))
+        Some(self.motion(sheet).map_or(bounds, |motion| motion.path(&Path::rectangle(&bounds)).bounds()))
     }
 }
 

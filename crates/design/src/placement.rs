@@ -100,7 +100,6 @@ impl FreeArea {
         let part = &Bounds { min: Point::ORIGIN, max: largest };
         fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
-        let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
         if machine.tool == SealingTool::Press {
             let margins = 2.0 * sheet.margin.0;
             return Err(beyond_plates(
@@ -109,17 +108,17 @@ impl FreeArea {
                 "a part with its margins",
             ));
         }
-        let size_text = size(tenths_up(part.width()), tenths_up(part.height()));
+        let size_text = size_in_words(tenths_up(part.width()), tenths_up(part.height()));
         let missing = Readable(tenths_up((part.width() - self.width).max(part.height() - self.height)));
         let reach_text = if self.width.min(self.height) > 0.0 {
-            format!("within the margins {} reaches {}", machine.name, size(self.width, self.height))
+            format!("within the margins {} reaches {}", machine.name, size_in_words(self.width, self.height))
         } else {
             format!("the margins leave nothing of what {} reaches", machine.name)
         };
         let fault = format!("a part with its ramps needs {size_text}; {reach_text}");
         let remedy = format!(
             "{missing} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
-            size(x.0, y.0)
+            size_in_words(x.0, y.0)
         );
         Err(Refusal::new(key::machine::PROFILE, RefusalCode::OutOfReach, fault, remedy))
     }
@@ -223,15 +222,20 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     Err(Refusal::new(*key, RefusalCode::SheetTooSmall, fault, remedy))
 }
 
+/// A width and a height, mm, in words.
+fn size_in_words(width: f64, height: f64) -> String {
+    format!("{} x {} mm", Readable(width), Readable(height))
+}
+
 /// The refusal of a `subject` of these sides, mm, which no press of these `plates` presses at once.
 fn beyond_plates(sides: [f64; 2], plates: [Length; 2], subject: &str) -> Refusal {
-    let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
     let [width, height] = sides.map(tenths_up);
     let [x, y] = plates.map(|length| length.0);
-    let fault = format!("{subject} is {}, and the plates are {}", size(width, height), size(x, y));
+    let fault =
+        format!("{subject} is {}, and the plates are {}", size_in_words(width, height), size_in_words(x, y));
     let remedy = format!(
         "must be plates of at least {}: a larger press, a smaller part, or smaller `width`, `height` and `margin` in [sheet]",
-        size(width.max(x), height.max(y))
+        size_in_words(width.max(x), height.max(y))
     );
     Refusal::new(key::press::PLATES, RefusalCode::OutOfReach, fault, remedy)
 }

@@ -2,7 +2,7 @@
 
 use crate::allowed::{Allowed, EXTRA};
 use crate::fault::Fault;
-use crate::machine::{CONTACT, to_micrometres};
+use crate::seal::read_height;
 use crate::section::Section;
 use crate::units::{Duration, Length, Speed, Temperature};
 use crate::{Colours, FaultCode, FeedFloor, MachineChoice, Seal, SealPause, Spec};
@@ -52,14 +52,11 @@ pub enum CutTool {
 }
 
 impl CutTool {
-    /// The words of the tools in specs and programs.
-    const WORDS: [&'static str; 2] = ["hot-tip", "drag-knife"];
-
     /// The word of the tool in specs and programs.
     pub fn word(self) -> &'static str {
         match self {
-            Self::HotTip { .. } => Self::WORDS[0],
-            Self::DragKnife { .. } => Self::WORDS[1],
+            Self::HotTip { .. } => ToolWord::HotTip.name(),
+            Self::DragKnife { .. } => ToolWord::DragKnife.name(),
         }
     }
 
@@ -127,14 +124,26 @@ enum ToolWord {
     DragKnife,
 }
 
+impl ToolWord {
+    const ALL: [(&'static str, Self); 2] =
+        [(Self::HotTip.name(), Self::HotTip), (Self::DragKnife.name(), Self::DragKnife)];
+
+    /// The word in specs and programs.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::HotTip => "hot-tip",
+            Self::DragKnife => "drag-knife",
+        }
+    }
+}
+
 /// The tool with its settings. All keys are read, so that each is known and in range; a key that the tool lacks is reported, and so is
 /// one of another tool.
 fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
-    let choices = [(CutTool::WORDS[0], ToolWord::HotTip), (CutTool::WORDS[1], ToolWord::DragKnife)];
-    let word = s.choice("tool", &choices);
+    let word = s.choice("tool", &ToolWord::ALL);
     let temperature = s.quantity("temperature", TEMPERATURES);
     let speed = s.quantity("speed", SPEEDS);
-    let height = s.quantity("height", CONTACT).map(|Length(mm)| Length(to_micrometres(mm)));
+    let height = read_height(s);
     let blade_offset = s.quantity("blade_offset", OFFSETS);
     let settings: &[(&str, &str)] = match word {
         Some(ToolWord::HotTip) => {
@@ -153,11 +162,8 @@ fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
     for key in ["temperature", "speed", "height", "blade_offset"] {
         let is_other = s.contains(key) && !settings.iter().any(|(setting, _)| *setting == key);
         if is_other && (word.is_some() || !s.contains("tool")) {
-            let tool = match word {
-                Some(ToolWord::HotTip) => "beside the tool \"hot-tip\"",
-                Some(ToolWord::DragKnife) => "beside the tool \"drag-knife\"",
-                None => "without a `tool`",
-            };
+            let tool = word
+                .map_or("without a `tool`".to_owned(), |word| format!("beside the tool {:?}", word.name()));
             let fault =
                 Fault::error(FaultCode::Conflict, s.place_of(key), format!("`{key}` in [cut] {tool}"));
             s.report(fault.label("it would have no effect").help("delete it, or write another `tool`"));

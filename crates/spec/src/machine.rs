@@ -3,6 +3,7 @@
 use crate::allowed::Allowed;
 use crate::dialect::Dialect;
 use crate::motion::Motion;
+use crate::name::is_plain_word;
 use crate::service::Service;
 use crate::units::{Acceleration, Duration, Length, Speed};
 
@@ -253,15 +254,13 @@ const HEATER_LENGTH: usize = 16;
 impl Heating {
     /// The heating called `text` in profiles: "operator", "hotend", "hotend 1", "heater NAME"; `None` if there is no such.
     pub fn read(text: &str) -> Option<Self> {
-        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-".contains(&byte);
-        let is_name = |name: &str| name.len() <= HEATER_LENGTH && name.bytes().all(is_plain);
         match text.split_once(' ') {
             None if text == "operator" => Some(Self::Operator),
             None if text == "hotend" => Some(Self::Hotend(None)),
             Some(("hotend", number)) if number.len() == 1 => {
                 number.parse().ok().filter(|number| *number <= HOTENDS).map(|n| Self::Hotend(Some(n)))
             }
-            Some(("heater", name)) if !name.is_empty() && is_name(name) => {
+            Some(("heater", name)) if name.len() <= HEATER_LENGTH && is_plain_word(name) => {
                 Some(Self::Heater(name.to_owned()))
             }
             _ => None,

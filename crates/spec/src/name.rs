@@ -29,6 +29,11 @@ pub fn check_name(text: &str) -> Result<(), String> {
     Ok(())
 }
 
+/// Whether `word` is of ASCII letters, digits, - and _ alone, and at least one of them: a comment or a command of a program may carry it.
+pub fn is_plain_word(word: &str) -> bool {
+    !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-".contains(&byte))
+}
+
 /// Whether `c` is invisible: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
 fn is_blank(c: char) -> bool {
     let is_filler = matches!(

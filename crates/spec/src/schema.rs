@@ -164,8 +164,8 @@ fn text_of(
     for (name, section) in sections {
         if name == NAMED {
             let keys = section.object("");
-            let named = json!({ "type": "object", "description": notes.of_section(NAMED), "additionalProperties": keys });
-            let _ = root.keys.insert(name, named);
+            let processes = json!({ "type": "object", "description": notes.of_section(NAMED), "additionalProperties": keys });
+            let _ = root.keys.insert(name, processes);
             continue;
         }
         if !section.required.is_empty() && !EITHER.contains(&name) {

@@ -7,6 +7,7 @@ use crate::FaultCode;
 use crate::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
 use crate::fault::{Fault, quoted};
 use crate::machine::{CONTACT, Process, to_micrometres};
+use crate::name::is_plain_word;
 use crate::raw::RawSpec;
 use crate::release_layer::check_ptfe;
 use crate::section::{Reader, Section};
@@ -18,7 +19,7 @@ use std::ops::Range;
 /// The name of the process that `[seal]` is.
 pub const DEFAULT_PROCESS: &str = "seal";
 
-/// Longest name of a process, letters: it stands in comments of programs.
+/// Longest name of a process, letters: comments of programs carry it.
 const NAME_LENGTH: usize = 20;
 /// Most passes of a seam, and most lines of a band.
 const MOST: u32 = 20;
@@ -220,10 +221,9 @@ fn wrong_name(name: &str) -> Option<String> {
     if name == DEFAULT_PROCESS {
         return Some("[seal] is the process of this name: write the keys there".to_owned());
     }
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.len() <= NAME_LENGTH
-        && name.chars().all(is_plain);
+        && is_plain_word(name);
     (!is_name)
         .then(|| format!("must be a letter, then letters, digits, - and _, at most {NAME_LENGTH} in all"))
 }
@@ -249,7 +249,7 @@ fn read_process(s: &mut Section<'_, '_>, name: &str, seal: &Seal) -> ProcessSpec
 }
 
 /// The height in contact, in whole micrometres as those of a profile.
-fn read_height(s: &mut Section<'_, '_>) -> Option<Length> {
+pub(super) fn read_height(s: &mut Section<'_, '_>) -> Option<Length> {
     s.quantity("height", CONTACT).map(|Length(mm)| Length(to_micrometres(mm)))
 }
 
@@ -304,17 +304,25 @@ struct ProcessPlace<'r> {
 /// Reports every place of the text that writes a process or uses one: a press has one temperature for all bands. The process of
 /// `[seal]` is no other.
 pub(super) fn refuse_processes(reader: &mut Reader<'_>) {
-    let table = reader.raw.root().get(SECTION).and_then(RawValue::as_table);
-    let sections = table.into_iter().flat_map(|table| &table.0);
-    let sections = sections.map(|entry| ProcessPlace { name: &entry.key, span: entry.key_span.clone() });
     let uses = process_uses(reader.raw).into_iter().filter(|place| place.name != DEFAULT_PROCESS);
-    for ProcessPlace { name, span } in sections.chain(uses).collect::<Vec<_>>() {
+    for ProcessPlace { name, span } in process_sections(reader.raw).chain(uses) {
         let message = format!("the process {} beside a heat press", quoted(name));
         let fault = Fault::error(FaultCode::Conflict, span, message);
         reader.faults.push(fault.label("a press seals all bands at once, at one temperature").help(
             "delete it, and every use of it; or write the profile of a machine with an iron in [machine]",
         ));
     }
+}
+
+/// The section of every process in the text.
+fn process_sections(raw: &RawSpec) -> impl Iterator<Item = ProcessPlace<'_>> {
+    places_of(raw.root().get(SECTION))
+}
+
+/// The keys of `table`, which are names of processes.
+fn places_of(table: Option<&RawValue>) -> impl Iterator<Item = ProcessPlace<'_>> {
+    let entries = table.and_then(RawValue::as_table).into_iter().flat_map(|table| &table.0);
+    entries.map(|entry| ProcessPlace { name: &entry.key, span: entry.key_span.clone() })
 }
 
 /// Every use of a process in the text: loops of stars, and the keys of `[drawing.process]`.
@@ -326,42 +334,35 @@ fn process_uses(raw: &RawSpec) -> Vec<ProcessPlace<'_>> {
         .flatten()
         .filter_map(|value| Some(ProcessPlace { name: value.as_text()?, span: value.span.clone() }));
     let drawing = raw.root().get("drawing").and_then(RawValue::as_table);
-    let seams = drawing.and_then(|table| table.get(SECTION)).and_then(RawValue::as_table);
-    let seams = seams.into_iter().flat_map(|table| &table.0);
-    loops.chain(seams.map(|entry| ProcessPlace { name: &entry.key, span: entry.key_span.clone() })).collect()
+    loops.chain(places_of(drawing.and_then(|table| table.get(SECTION)))).collect()
 }
 
 /// Reports uses of processes that do not exist, and processes that nothing uses.
 pub(super) fn check_uses(reader: &mut Reader<'_>, processes: &[ProcessSpec]) {
-    let uses = process_uses(reader.raw);
     let names: Vec<&str> =
         processes.iter().map(|process| process.name.as_str()).chain([DEFAULT_PROCESS]).collect();
-    for ProcessPlace { name, span } in uses.iter().filter(|place| !names.contains(&place.name)) {
-        let fault = Fault::error(
-            FaultCode::UnknownProcess,
-            span.clone(),
-            format!("no process is called {}", quoted(name)),
-        );
+    let (known_uses, unknown_uses): (Vec<_>, Vec<_>) =
+        process_uses(reader.raw).into_iter().partition(|place| names.contains(&place.name));
+    // A misspelt use may be that of a process without one.
+    let judges_uses = unknown_uses.is_empty();
+    for ProcessPlace { name, span } in unknown_uses {
+        let message = format!("no process is called {}", quoted(name));
+        let fault = Fault::error(FaultCode::UnknownProcess, span, message);
         let help = match nearest(name, names.iter().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!("write its section, [process.{name}]; there are {}", names.join(", ")),
         };
         reader.faults.push(fault.label("must be the name of a section [process.NAME], or seal").help(help));
     }
-    if uses.iter().any(|place| !names.contains(&place.name)) {
-        // A misspelt use may be that of a process without one.
-        return;
-    }
-    let table = reader.raw.root().get(SECTION).and_then(RawValue::as_table);
-    for entry in table.into_iter().flat_map(|table| &table.0) {
-        let is_process = processes.iter().any(|process| process.name == entry.key);
-        if is_process && uses.iter().all(|place| place.name != entry.key.as_str()) {
-            let message = format!("no seam uses the process {}", quoted(&entry.key));
-            let fault = Fault::warning(FaultCode::NoEffect, entry.key_span.clone(), message)
+    for ProcessPlace { name, span } in process_sections(reader.raw).filter(|_| judges_uses) {
+        // A section with a wrong name is none of a process.
+        let is_process = processes.iter().any(|process| process.name == name);
+        if is_process && known_uses.iter().all(|place| place.name != name) {
+            let message = format!("no seam uses the process {}", quoted(name));
+            let fault = Fault::warning(FaultCode::NoEffect, span, message)
                 .label("a process counts where a seam names it")
                 .help(format!(
-                    "name layers, ids or roles of a drawing by {} = [...] in [drawing.process], or write `inner_process` or `outer_process` in [star]",
-                    entry.key
+                    "name layers, ids or roles of a drawing by {name} = [...] in [drawing.process], or write `inner_process` or `outer_process` in [star]"
                 ));
             reader.faults.push(fault);
         }

@@ -6,6 +6,7 @@
 
 use self::Argument as F;
 use crate::dialect::Dialect;
+use crate::name::is_plain_word;
 use crate::units::Temperature;
 
 /// The highest temperature of a bed or a chamber while a sheet lies in it. Soft polyurethane softens from about 70 C on (Vicat), and
@@ -115,14 +116,15 @@ const BAMBU: [ServiceRow; 2] = [("M106 P1 S0", FAN_OFF), ("M211 X0 Y0 Z0", ENDST
 const NAME_LENGTH: usize = 32;
 
 /// The rows that controllers of `dialect` read.
-const fn rows(dialect: Dialect) -> &'static [&'static [ServiceRow]] {
-    match dialect {
+fn rows(dialect: Dialect) -> impl Iterator<Item = &'static ServiceRow> {
+    let tables: &[&[ServiceRow]] = match dialect {
         Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => &[],
         Dialect::Marlin => &[&COMMON, &FIRMWARE, &MARLIN],
         Dialect::Klipper => &[&COMMON, &KLIPPER],
         Dialect::RepRapFirmware => &[&COMMON, &FIRMWARE, &REPRAPFIRMWARE],
         Dialect::Bambu => &[&COMMON, &FIRMWARE, &BAMBU],
-    }
+    };
+    tables.iter().flat_map(|table| table.iter())
 }
 
 impl Service {
@@ -132,15 +134,12 @@ impl Service {
         if line.starts_with("G1") || line.starts_with("G0") {
             return None;
         }
-        rows(dialect)
-            .iter()
-            .flat_map(|rows| rows.iter())
-            .find_map(|(text, form)| form.read(line.strip_prefix(text)?))
+        rows(dialect).find_map(|(text, argument)| argument.read(line.strip_prefix(text)?))
     }
 
     /// The service lines that controllers of `dialect` read, in words.
     pub(crate) fn lines(dialect: Dialect) -> impl Iterator<Item = String> {
-        rows(dialect).iter().flat_map(|rows| rows.iter()).map(|(text, form)| match form {
+        rows(dialect).map(|(text, argument)| match argument {
             Argument::Whole(_) | Argument::Axes => (*text).to_owned(),
             Argument::Named(_) | Argument::Warm(..) => format!("{text}.."),
             Argument::Override => format!("{text}100"),
@@ -149,8 +148,7 @@ impl Service {
 
     /// Whether controllers of `dialect` have a line that lets Z go below the range of its axis.
     pub fn can_free_endstops(dialect: Dialect) -> bool {
-        let mut rows = rows(dialect).iter().flat_map(|rows| rows.iter());
-        rows.any(|(_, form)| matches!(form, Argument::Whole(Self::EndstopsOff)))
+        rows(dialect).any(|(_, argument)| matches!(argument, Argument::Whole(Self::EndstopsOff)))
     }
 }
 
@@ -160,7 +158,7 @@ impl Argument {
         match self {
             Self::Whole(service) => rest.is_empty().then_some(service),
             Self::Axes => axes(rest).map(Service::Home),
-            Self::Named(service) => is_name(rest).then_some(service),
+            Self::Named(service) => (rest.len() <= NAME_LENGTH && is_plain_word(rest)).then_some(service),
             Self::Warm(part, waits) => {
                 amount(rest).map(|celsius| Service::Warm(Warming { part, celsius, waits }))
             }
@@ -184,11 +182,6 @@ fn axes(rest: &str) -> Option<[bool; 3]> {
         }
     }
     Some(axes)
-}
-
-fn is_name(rest: &str) -> bool {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-".contains(&byte);
-    (1..=NAME_LENGTH).contains(&rest.len()) && rest.bytes().all(is_plain)
 }
 
 /// A whole number of at most three digits.

@@ -76,8 +76,6 @@ pub struct Vocabulary {
     pub fixed: &'static [Command],
     /// Letters of the words that carry numbers.
     pub parameters: &'static str,
-    /// Whether its M109 waits with S for a cold heater only, and with R for one that is too hot, too.
-    pub waits_by_r: bool,
 }
 
 impl Vocabulary {
@@ -92,7 +90,6 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
-        waits_by_r: false,
     };
 
     /// LinuxCNC.
@@ -105,7 +102,6 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
-        waits_by_r: false,
     };
 
     /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
@@ -118,7 +114,6 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
-        waits_by_r: false,
     };
 
     /// Marlin without its options: no arcs, planes or inches.
@@ -131,7 +126,6 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
-        waits_by_r: true,
     };
 
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
@@ -150,7 +144,6 @@ impl Vocabulary {
         ],
         fixed: &[C::PerMinute],
         parameters: "XYZFPSRT",
-        waits_by_r: false,
     };
 
     /// RepRapFirmware 3: arc centres always from the start.
@@ -163,7 +156,6 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::CentersRelative],
         parameters: "XYZIJFPSRT",
-        waits_by_r: true,
     };
 
     /// Bambu's firmware, whose sources are not published: only words of its own start and end lines, and M400 U1, with which Bambu
@@ -177,8 +169,21 @@ impl Vocabulary {
         words: &[("M400 U1", C::Pause)],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
-        waits_by_r: false,
     };
+
+    /// Whether M109 waits with S for a cold heater only, and with R for one that is too hot, too.
+    pub const fn waits_by_r(self) -> bool {
+        match self.dialect {
+            Dialect::Marlin | Dialect::RepRapFirmware => true,
+            Dialect::Generic
+            | Dialect::LinuxCnc
+            | Dialect::Grbl
+            | Dialect::GrblHal
+            | Dialect::FluidNc
+            | Dialect::Klipper
+            | Dialect::Bambu => false,
+        }
+    }
 
     /// The words of a controller of family `dialect` that draws arcs if its family does.
     pub const fn for_dialect(dialect: Dialect) -> Self {

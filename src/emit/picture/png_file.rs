@@ -63,13 +63,13 @@ fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
 
 /// The number of `filter`, then what it leaves of `row`, which has the row `above` it.
 fn differences(row: &[u8], above: &[u8], filter: Filter) -> Vec<u8> {
-    let left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
+    let to_left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
     let bytes = row.iter().enumerate().map(|(k, &byte)| {
         let expected = match filter {
-            Filter::Sub => left(row, k),
+            Filter::Sub => to_left(row, k),
             Filter::Up => above[k],
-            Filter::Average => left(row, k).midpoint(above[k]),
-            Filter::Paeth => paeth(left(row, k), above[k], left(above, k)),
+            Filter::Average => to_left(row, k).midpoint(above[k]),
+            Filter::Paeth => paeth(to_left(row, k), above[k], to_left(above, k)),
         };
         byte.wrapping_sub(expected)
     });

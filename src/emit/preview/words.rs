@@ -9,7 +9,7 @@ use crate::emit::preview::style::{
 };
 use crate::emit::preview::subject::Preview;
 use design::{PlacedPart, StarAssembly};
-use program::plan::SeamReport;
+use program::plan::{SeamReport, distinct_processes};
 use program::text::{inert, shortened};
 use spec::units::Readable;
 use spec::{CutProcess, NAME_LENGTH, Seal, SealProcess};
@@ -41,7 +41,7 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
             "process {}: {} and {}",
             process.name, process.seal.temperature, process.seal.speed
         ));
-        block.say(format!("    {}", repeats(&process)));
+        block.say(format!("    {}", repeats(process)));
     }
     if let Some(CutProcess { tool, speed, .. }) = spec.cut.program {
         block.say(format!("then cut at {speed} with a {}", tool.in_words()));
@@ -60,15 +60,10 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
 }
 
 /// The processes of the programs of `sheet` that do more than seal once by `[seal]`, each once.
-fn processes(preview: &Preview<'_>, sheet: usize) -> Vec<SealProcess> {
-    let programs = preview.programs.iter().filter(|program| program.sheet == sheet && !program.is_plain());
-    let mut processes: Vec<SealProcess> = Vec::new();
-    for process in programs.flat_map(|program| &program.processes).map(|paced| &paced.process) {
-        if processes.iter().all(|known| known.name != process.name) {
-            processes.push(process.clone());
-        }
-    }
-    processes
+fn processes<'a>(preview: &Preview<'a>, sheet: usize) -> Vec<&'a SealProcess> {
+    distinct_processes(
+        preview.programs.iter().filter(|program| program.sheet == sheet && !program.is_plain()),
+    )
 }
 
 /// The names of the processes of all seams on `sheet`, each once, in the order of the seams.
@@ -88,15 +83,9 @@ fn band_processes<'a>(preview: &Preview<'a>, sheet: usize) -> Vec<&'a str> {
 fn repeats(process: &SealProcess) -> String {
     let Seal { passes, cool, .. } = &process.seal;
     let cool = if cool.0 > 0.0 { format!(", {cool} to cool") } else { String::new() };
-    format!("{}, {}{cool}", counted_passes(*passes), counted_lines(process.seal.line_count()))
-}
-
-fn counted_passes(passes: u32) -> String {
-    if passes == 1 { "1 pass".to_owned() } else { format!("{passes} passes") }
-}
-
-fn counted_lines(lines: u32) -> String {
-    if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") }
+    let (lines, plural) =
+        (process.seal.line_count(), |count: u32, ending| if count == 1 { "" } else { ending });
+    format!("{passes} pass{}, {lines} line{}{cool}", plural(*passes, "es"), plural(lines, "s"))
 }
 
 /// Every distinct star once, with the numbers of all that are like it.

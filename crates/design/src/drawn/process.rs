@@ -69,9 +69,9 @@ impl<'a> SeamProcesses<'a> {
 
     /// The elements along which `seam` is drawn.
     fn elements_of(&self, seam: &Seam) -> Vec<&'a Element> {
-        let drawn: Vec<(&Element, &Path, bool)> =
+        let curves: Vec<(&Element, &Path, bool)> =
             self.drawing.elements.iter().filter_map(|element| self.curve(element)).collect();
-        let mut votes = vec![0_u32; drawn.len()];
+        let mut votes = vec![0_u32; curves.len()];
         let (slack, length) = (SLACK + self.spec.join.0, seam.center_line.length());
         for i in 0..PLACES {
             let Some(point) = seam.center_line.point_at(length * (f64::from(i) + 0.5) / f64::from(PLACES))
@@ -83,18 +83,18 @@ impl<'a> SeamProcesses<'a> {
                 let distance = path.distance(point);
                 if *is_edge { distance.min((distance - self.half_band).abs()) } else { distance }
             };
-            let misses: Vec<f64> = drawn.iter().map(miss).collect();
+            let misses: Vec<f64> = curves.iter().map(miss).collect();
             let best = (0..misses.len()).min_by(|a, b| misses[*a].total_cmp(&misses[*b]));
             if let Some(best) = best.filter(|best| misses[*best] <= slack) {
                 votes[best] += 1;
             }
         }
         // One place alone may lie at the end of a neighbour.
-        let most = votes.iter().copied().max().unwrap_or(0);
-        drawn
+        let most_votes = votes.iter().copied().max().unwrap_or(0);
+        curves
             .iter()
             .zip(votes)
-            .filter(|(_, votes)| *votes > 0 && (*votes > 1 || most == 1))
+            .filter(|(_, votes)| *votes > 0 && (*votes > 1 || most_votes == 1))
             .map(|((element, ..), _)| *element)
             .collect()
     }
@@ -141,12 +141,12 @@ impl<'a> SeamProcesses<'a> {
 
 /// The refusal of a seam whose elements have different processes.
 fn two_processes(seam: &Seam, elements: &[(&str, &Element)]) -> Refusal {
-    let listed: Vec<String> =
+    let elements_in_words: Vec<String> =
         elements.iter().map(|(process, element)| format!("{} ({process})", element.id)).collect();
     let fault = format!(
         "the seam {:?} is drawn by elements of different processes: {}",
         seam.name,
-        listed.join(", ")
+        elements_in_words.join(", ")
     );
     let remedy = format!(
         "a seam has one process: name the seam itself, {:?}, or draw its parts as seams of their own",

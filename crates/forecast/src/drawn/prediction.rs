@@ -420,8 +420,8 @@ impl DrawnPrediction {
         let leaving = self.leaving().map(|text| PredictionWarning::new(WarningCode::LeavesPlane, text));
         let mut list: Vec<PredictionWarning> = leaving.into_iter().collect();
         let names = |is_named: &dyn Fn(&ChamberPrediction) -> bool| {
-            let named = self.chambers.iter().filter(|one| is_named(one));
-            named.map(|one| one.name(count)).collect::<Vec<String>>().join(", ")
+            let chambers = self.chambers.iter().filter(|one| is_named(one));
+            chambers.map(|one| one.name(count)).collect::<Vec<String>>().join(", ")
         };
         let of_shapes = [
             (names(&|one| one.wrinkles == Some(AVERAGED)), averaged_warning as fn(&str) -> String),

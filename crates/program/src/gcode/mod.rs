@@ -120,16 +120,13 @@ impl<'a> Job<'a> {
             Step::Seam(i) => {
                 // Every seam states its feed, so that a job can go on there.
                 self.writer.feed = None;
-                if let Some(whole) = &self.whole {
-                    self.first =
-                        whole.program.pacer(whole.program.seams.get(*i).map_or(0, |seam| seam.process));
-                }
-                let program = self.whole.as_ref().map(|whole| whole.program);
-                if let Some((program, contact)) =
-                    program.and_then(|program| Some((program, program.seams.get(*i)?)))
-                {
-                    let key = if program.purpose == Purpose::Cut { "cut" } else { "seam" };
-                    self.writer.comment(&contact_facts(program.purpose, key, i + 1, contact));
+                if let Some(program) = self.whole.as_ref().map(|whole| whole.program) {
+                    let contact = program.seams.get(*i);
+                    self.first = program.pacer(contact.map_or(0, |contact| contact.process));
+                    if let Some(contact) = contact {
+                        let key = if program.purpose == Purpose::Cut { "cut" } else { "seam" };
+                        self.writer.comment(&contact_facts(program.purpose, key, i + 1, contact));
+                    }
                 }
             }
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
@@ -178,11 +175,12 @@ impl<'a> Job<'a> {
     /// Sets the heater called `name` of Klipper and waits for it; `changes`: it may be hotter than `temperature`.
     fn heat_named(&mut self, name: &str, temperature: Temperature, changes: bool) {
         let text = |celsius: f64| Decimals::exactly(1).text(celsius);
-        let [t, least, most] =
+        let [t, minimum, maximum] =
             [temperature.0, temperature.0 - HEATER_SLACK, temperature.0 + HEATER_SLACK].map(text);
         self.writer.line(&format!("SET_HEATER_TEMPERATURE HEATER={name} TARGET={t}"));
-        let most = if changes { format!(" MAXIMUM={most}") } else { String::new() };
-        self.writer.line(&format!("TEMPERATURE_WAIT SENSOR=\"heater_generic {name}\" MINIMUM={least}{most}"));
+        let maximum = if changes { format!(" MAXIMUM={maximum}") } else { String::new() };
+        self.writer
+            .line(&format!("TEMPERATURE_WAIT SENSOR=\"heater_generic {name}\" MINIMUM={minimum}{maximum}"));
     }
 
     /// A pause for the operator.

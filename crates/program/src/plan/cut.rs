@@ -4,7 +4,7 @@ use crate::plan::blade::axis_paths;
 use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::lowest_of;
-use crate::plan::program::{PauseReason, SeamList};
+use crate::plan::program::{PauseReason, SeamList, lowest_contact};
 use crate::plan::ramps::too_steep;
 use crate::plan::reach::beyond;
 use crate::plan::refusals::contradictions;
@@ -88,9 +88,7 @@ pub fn cut_refusals(
 
 /// The refusal of a cut that is no deeper than a seal: it would seal where it should cut.
 fn shallow(machine: &Machine, process: CutProcess, seals: &[Program]) -> Option<Refusal> {
-    let processes = seals.iter().flat_map(|program| &program.processes);
-    let heights = processes.map(|paced| paced.process.seal.contact(&machine.process));
-    let lowest = heights.reduce(|a, b| if b < a { b } else { a })?;
+    let lowest = lowest_contact(machine, seals)?;
     (process.height >= lowest).then(|| {
         Refusal::new(
             key::cut::HEIGHT,

@@ -2,16 +2,13 @@
 
 use crate::plan::{CHECK_LENGTH, Chop, Pace, feed_checks};
 use spec::units::{Acceleration, Duration, Speed};
-use spec::{LEAST_ACCELERATION, Machine, Spec};
+use spec::{LEAST_ACCELERATION, MOST_ACCELERATION, Machine, Spec};
 
 /// Difference between two presses of a stopwatch by hand, s: a smaller one is not seen.
 pub const STOPWATCH: f64 = 0.5;
 
 /// Steps of the bisection of an acceleration: 0.1 to 1e6 mm/s^2 to four digits.
 const BISECTIONS: u32 = 60;
-
-/// Largest acceleration that a profile may state, mm/s^2.
-const MOST_ACCELERATION: f64 = 1e6;
 
 /// Longest delay that a profile may state, s.
 const LONGEST_DELAY: f64 = 1.0;

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::plan::process_refusal::of_process;
-use crate::plan::program::ProcessSteps;
+use crate::plan::program::{ProcessSteps, distinct_processes};
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use design::{Refusal, RefusalCode};
@@ -47,13 +47,8 @@ fn lowest_on(
 /// A refusal for each process whose speed the controller does not hold.
 pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Vec<Refusal> {
     let parts: Vec<ProcessSteps<'_>> = programs.iter().flat_map(Program::by_process).collect();
-    let mut names: Vec<&str> = Vec::new();
     let mut refusals = Vec::new();
-    for process in parts.iter().map(|part| &part.paced.process) {
-        if names.contains(&process.name.as_str()) {
-            continue;
-        }
-        names.push(&process.name);
+    for process in distinct_processes(programs) {
         let steps: Vec<&ProcessSteps<'_>> =
             parts.iter().filter(|part| part.paced.process.name == process.name).collect();
         let refusal = feed_floor_of(&spec.sealed_by(process), machine, &steps);

@@ -6,14 +6,6 @@ use design::{Design, Refusal, RefusalCode};
 use geom::Point;
 use spec::{Marks, Spec, key};
 
-/// The marks at which programs for sheet number `sheet` stop; none unless the spec asks for it.
-pub(super) fn marks_of(spec: &Spec, design: &Design, sheet: usize) -> Vec<Point> {
-    match spec.machine.marks {
-        Marks::Ignored => Vec::new(),
-        Marks::Pause => design.marks(sheet).map_or_else(Vec::new, Vec::from),
-    }
-}
-
 /// The steps above `marks` and back home, for a tool that is parked.
 pub(super) fn mark_steps(marks: &[Point]) -> Vec<Step> {
     let mut steps = Vec::new();

@@ -42,7 +42,9 @@ pub use moves::{LONGEST_MOVE, moves};
 pub use pace::{Pace, Pacer, Stroke};
 pub use pressed::pressed_beyond;
 pub use process_time::{ProcessTime, process_times};
-pub use program::{Height, PacedProcess, PauseReason, Program, Purpose, Ramp, SeamList, SeamReport, Step};
+pub use program::{
+    Height, PacedProcess, PauseReason, Program, Purpose, Ramp, SeamList, SeamReport, Step, distinct_processes,
+};
 pub use reach::beyond;
 pub use refusals::refusals;
 pub use seal::{seal_program, seal_programs};

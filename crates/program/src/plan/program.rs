@@ -4,8 +4,8 @@ use crate::plan::Pace;
 use design::Design;
 use geom::{Isometry, Point, Segment};
 use sealed::{PieceName, SeamName};
-use spec::units::{Duration, Temperature};
-use spec::{CutTool, SealProcess};
+use spec::units::{Duration, Length, Temperature};
+use spec::{CutTool, Machine, SealProcess};
 
 /// The purpose of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,8 +201,7 @@ pub struct SeamReport {
 impl Program {
     /// The program with the motion of its sheet, if `design` has one.
     pub(super) fn on_sheet_of(self, design: &Design) -> Self {
-        let alignment = design.alignment.filter(|alignment| alignment.sheet == self.sheet);
-        Self { motion: alignment.map(|alignment| alignment.motion), ..self }
+        Self { motion: design.motion(self.sheet), ..self }
     }
 
     /// The pace of its first process: of a program with one process, that of all seams.
@@ -234,6 +233,24 @@ impl Program {
     pub fn numbers(&self) -> Vec<usize> {
         self.pieces.iter().filter_map(PieceName::number).collect()
     }
+}
+
+/// The processes of `programs`, each once, in the order of their first programs.
+pub fn distinct_processes<'p>(programs: impl IntoIterator<Item = &'p Program>) -> Vec<&'p SealProcess> {
+    let mut processes: Vec<&SealProcess> = Vec::new();
+    for paced in programs.into_iter().flat_map(|program| &program.processes) {
+        if processes.iter().all(|process| process.name != paced.process.name) {
+            processes.push(&paced.process);
+        }
+    }
+    processes
+}
+
+/// The lowest height in contact of `programs` on `machine`; `None` without a program.
+pub(super) fn lowest_contact(machine: &Machine, programs: &[Program]) -> Option<Length> {
+    let heights =
+        distinct_processes(programs).into_iter().map(|process| process.seal.contact(&machine.process));
+    heights.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// The ones of `steps` that make contacts of the process at place `process`, and those before the first contact.

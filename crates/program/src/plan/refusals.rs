@@ -4,11 +4,12 @@ use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
 use crate::plan::process_refusal::of_process;
+use crate::plan::program::{distinct_processes, lowest_contact};
 use crate::plan::ramps::too_steep;
 use crate::plan::{Program, Purpose};
 use design::{Refusal, RefusalCode, Refusals};
 use spec::units::{Length, Speed};
-use spec::{Machine, SealProcess, Service, Spec, key};
+use spec::{Machine, Service, Spec, key};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
@@ -27,14 +28,10 @@ pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Pro
 
 /// A refusal for each process that presses a tip without a spring into the bed.
 fn deep_contacts(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
-    let (lowest, mut names) = (machine.process.lowest_contact(), Vec::new());
+    let lowest = machine.process.lowest_contact();
     let mut refusals = Refusals::new();
-    for process in programs.iter().flat_map(|program| &program.processes).map(|paced| &paced.process) {
+    for process in distinct_processes(programs) {
         let Some(height) = process.seal.height.filter(|height| *height < lowest) else { continue };
-        if names.contains(&&process.name) {
-            continue;
-        }
-        names.push(&process.name);
         let key = if process.is_default() { key::seal::HEIGHT } else { key::process::HEIGHT };
         let fault = format!(
             "the height in contact is {height}, and the tip of the profile {} has no spring",
@@ -56,22 +53,19 @@ fn clamped_contacts(machine: &Machine, programs: &[Program]) -> Option<Refusal> 
     if !script.homes() || is_free || !Service::can_free_endstops(dialect) {
         return None;
     }
-    let surface = machine.controller.place.surface.0;
-    let processes = programs.iter().flat_map(|program| &program.processes).map(|paced| &paced.process);
-    let contact_of = |process: &SealProcess| process.seal.contact(&machine.process).0;
-    let lowest = surface + processes.map(contact_of).fold(f64::INFINITY, f64::min);
+    let lowest = machine.controller.place.surface.0 + lowest_contact(machine, programs)?.0;
     // Heights are whole micrometres.
     if lowest > -1e-6 {
         return None;
     }
-    let found = format!(
+    let fault = format!(
         "the machine homes, and the contact is at its Z {}, which {} lifts to 0",
         Length(lowest),
         dialect.title()
     );
     let remedy = "`start` of the profile must turn the soft endstops off after G28 (M211 S0; RepRapFirmware M564 S0; Bambu M211 X0 Y0 \
                   Z0), or `surface` must be higher";
-    Some(Refusal::new(key::machine::PROFILE, RefusalCode::DeepContact, found, remedy))
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::DeepContact, fault, remedy))
 }
 
 /// A longer time without a move than any job has, s: a day.

@@ -1,6 +1,6 @@
 //! The sealing programs: contact after contact of a job.
 
-use crate::plan::marks::{mark_steps, marks_of};
+use crate::plan::marks::mark_steps;
 use crate::plan::moves::Cuts;
 use crate::plan::program::{PauseReason, SeamList};
 use crate::plan::ramps::without_crumbs;
@@ -27,7 +27,7 @@ pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
     let program = |(sheet, placed): Batch<'_>| {
         let job = SealJob::new(spec, design, &placed, machine.process.ramp.0);
-        let marks = marks_of(spec, design, sheet);
+        let marks = design.stops(spec, sheet);
         seal_program(spec, machine, scope(Purpose::Seal, sheet, &placed), &job, &marks).on_sheet_of(design)
     };
     batches(design, spec.machine.program).into_iter().map(program).collect()

@@ -1,6 +1,6 @@
 //! The trace programs: the frame of the pieces and all seams, at travel height, unheated and fast.
 
-use crate::plan::marks::{mark_steps, marks_of};
+use crate::plan::marks::mark_steps;
 use crate::plan::moves::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
 use crate::plan::{Height, Program, Purpose, SeamList, Step};
@@ -19,7 +19,7 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed
     let pieces = &design.pieces(placed);
     let cuts = Cuts::of_trace(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
-    steps.extend(mark_steps(&marks_of(spec, design, *sheet)));
+    steps.extend(mark_steps(&design.stops(spec, *sheet)));
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
         steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.moves(path))]);

@@ -102,6 +102,20 @@ impl ManifestAlignment {
     }
 }
 
+/// How a seam is made where it is not sealed once by the process of `[seal]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SeamMaking {
+    /// Name of its process; absent for the one of `[seal]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub process: Option<String>,
+    /// Number of passes along every line; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<u32>,
+    /// Number of lines of its band; absent for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lines: Option<u32>,
+}
+
 /// The program that wrote a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tool {
@@ -187,15 +201,9 @@ pub struct ManifestSeam {
     pub overlap_mm: f64,
     /// Time in contact, ramps included, s.
     pub time_s: f64,
-    /// Name of its process; absent for the one of `[seal]`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub process: Option<String>,
-    /// Number of passes along every line; absent for one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub passes: Option<u32>,
-    /// Number of lines of its band; absent for one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lines: Option<u32>,
+    /// The process that makes it, and how often.
+    #[serde(flatten)]
+    pub making: SeamMaking,
 }
 
 impl Tool {
@@ -291,13 +299,7 @@ pub struct SealedSeam {
     pub length_mm: f64,
     /// Time in contact, ramps included, s.
     pub time_s: f64,
-    /// Name of its process; absent for the one of `[seal]`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub process: Option<String>,
-    /// Number of passes along every line; absent for one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub passes: Option<u32>,
-    /// Number of lines of its band; absent for one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lines: Option<u32>,
+    /// The process that makes it, and how often.
+    #[serde(flatten)]
+    pub making: SeamMaking,
 }

@@ -77,9 +77,14 @@ const USUAL: [(&[&str], &str, &str); 9] = [
     (&["jackpot", "6pack"], "FluidNC", "fluidnc"),
 ];
 
+/// The name of a machine in lower case, without blanks and dashes.
+pub(super) fn trade_name(name: &str) -> String {
+    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
 /// The controller that machines called `name` usually have, and its profile: ("Marlin", "marlin") for "Ender-3".
 pub fn usual_profile(name: &str) -> Option<(&'static str, &'static str)> {
-    let plain: String = name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
+    let plain = trade_name(name);
     // The longest beginning is the most exact: "crealityk1" is a Creality with another firmware.
     let fits = USUAL.iter().flat_map(|(names, controller, profile)| {
         let begin = names.iter().filter(|begin| plain.starts_with(**begin));

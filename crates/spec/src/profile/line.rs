@@ -103,8 +103,8 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
         LinePart::Pause => command == Command::Pause,
         LinePart::Start | LinePart::End => matches!(command, Command::Setting | Command::HeatOnly),
     };
-    let named = vocabulary.words.iter().filter(|(_, command)| is_allowed(*command));
-    names.extend(named.map(|(word, command)| match command {
+    let words = vocabulary.words.iter().filter(|(_, command)| is_allowed(*command));
+    names.extend(words.map(|(word, command)| match command {
         Command::HeatOnly => format!("{word} HEATER=.. TARGET=0"),
         _ => (*word).to_owned(),
     }));

@@ -11,6 +11,8 @@ use crate::units::{Duration, Speed};
 
 /// Least acceleration of the axes, mm/s^2.
 pub const LEAST_ACCELERATION: f64 = 0.1;
+/// Largest acceleration of an axis, mm/s^2: no machine exceeds it.
+pub const MOST_ACCELERATION: f64 = 1e6;
 /// Steps per mm: from a coarse belt to a fine screw with microsteps.
 const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
@@ -75,7 +77,11 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         steps_per_mm,
         step_rate,
         min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
-        acceleration: quantity_or_unknown(s, "acceleration", Allowed::closed(LEAST_ACCELERATION, 1e6)),
+        acceleration: quantity_or_unknown(
+            s,
+            "acceleration",
+            Allowed::closed(LEAST_ACCELERATION, MOST_ACCELERATION),
+        ),
         chop_feed: quantity_or_unknown(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: quantity_or_unknown(s, "tick", Allowed::closed(0.0, 0.1)),

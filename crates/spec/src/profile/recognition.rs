@@ -2,7 +2,7 @@
 
 use crate::dialect::Dialect;
 use crate::machine::{Heating, Machine, SealingTool};
-use crate::profile::builtin::usual_profile;
+use crate::profile::builtin::{trade_name, usual_profile};
 
 impl Machine {
     /// The sign by which a user recognises the controller: the line that it prints when a console connects, or its answer to `M115`.
@@ -90,7 +90,7 @@ pub fn machine_remedy(name: &str) -> Option<String> {
     if let Some((controller, profile)) = usual_profile(name) {
         return Some(format!("it usually has {controller}: write profile = \"{profile}\""));
     }
-    let plain: String = name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
+    let plain = trade_name(name);
     let unserved = UNSERVED_MACHINES
         .iter()
         .find(|machine| machine.beginnings.iter().any(|beginning| plain.starts_with(beginning)))?;

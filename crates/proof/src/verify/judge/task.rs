@@ -3,7 +3,7 @@
 use design::{Design, PlacedPart, SealJob};
 use geom::{Bounds, Isometry, Path, Point};
 use sealed::{LaidSeam, PieceName, frame, laid_seams, scope};
-use spec::{CutTool, Machine, Marks, Spec};
+use spec::{CutTool, Machine, Spec};
 
 /// What a program does along its paths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,8 +77,8 @@ impl<'a> ProgramTask<'a> {
             seams,
             job: SealJob::new(spec, design, &placed, machine.process.ramp.0),
             area: area(machine, design, sheet)?,
-            marks: marks(spec, design, sheet),
-            motion: motion(design, sheet),
+            marks: design.stops(spec, sheet),
+            motion: design.motion(sheet),
         })
     }
 
@@ -103,7 +103,7 @@ impl<'a> ProgramTask<'a> {
             frame: Path::default(),
             area: area(machine, design, sheet)?.outset(reach),
             marks: Vec::new(),
-            motion: motion(design, sheet),
+            motion: design.motion(sheet),
         })
     }
 }
@@ -114,17 +114,4 @@ fn area(machine: &Machine, design: &Design, sheet: usize) -> Option<Bounds> {
     let Some((x, y)) = machine.bench.work_area else { return Some(bounds) };
     let min = Point::new(bounds.min.x.max(0.0), bounds.min.y.max(0.0));
     Some(Bounds { min, max: Point::new(bounds.max.x.min(x.0), bounds.max.y.min(y.0)) })
-}
-
-/// The marks of a sheet above which programs of `spec` stop.
-fn marks(spec: &Spec, design: &Design, sheet: usize) -> Vec<Point> {
-    match spec.machine.marks {
-        Marks::Ignored => Vec::new(),
-        Marks::Pause => design.marks(sheet).map_or_else(Vec::new, Vec::from),
-    }
-}
-
-/// The motion of a sheet that was found again.
-fn motion(design: &Design, sheet: usize) -> Option<Isometry> {
-    design.alignment.filter(|alignment| alignment.sheet == sheet).map(|alignment| alignment.motion)
 }

@@ -83,7 +83,7 @@ impl Block {
             }
             let heats = matches!(command, Command::HeatAndWait | Command::HeatOnly);
             let by_r = self.value(b'R').filter(|_| *command == Command::HeatAndWait);
-            if by_r.is_some() && (!dialect.vocabulary.waits_by_r || self.value(b'S').is_some()) {
+            if by_r.is_some() && (!dialect.vocabulary.waits_by_r() || self.value(b'S').is_some()) {
                 return Err(Finding::new(FindingCode::UnusedWord, "R with a heater", "S alone"));
             }
             if heats && !self.value(b'S').or(by_r).is_some_and(|celsius| celsius >= 0.0) {

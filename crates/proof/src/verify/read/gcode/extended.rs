@@ -2,6 +2,7 @@
 
 use crate::verify::read::gcode::Heater;
 use crate::verify::read::number;
+use spec::is_plain_word;
 
 /// Largest difference between a heater's temperature and the one that is waited for, in degrees Celsius.
 const NEAR: f64 = 2.5;
@@ -36,7 +37,8 @@ impl PendingHeater {
     pub(super) fn read(&mut self, line: &str) -> Option<HeaterLine> {
         if let Some(rest) = line.strip_prefix("SET_HEATER_TEMPERATURE HEATER=") {
             let (name, target) = rest.split_once(" TARGET=")?;
-            let (name, celsius) = (plain_name(name)?, number::value(target)?);
+            let (name, celsius) =
+                (Some(name.to_owned()).filter(|name| is_plain_word(name))?, number::value(target)?);
             if self.0.is_some() {
                 return None;
             }
@@ -58,11 +60,6 @@ impl PendingHeater {
         let waits_for_cooler = most.is_some();
         right.then_some(HeaterLine::Hot { heater: Heater::Named(heater), celsius, waits_for_cooler })
     }
-}
-
-fn plain_name(name: &str) -> Option<String> {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-".contains(&byte);
-    (!name.is_empty() && name.bytes().all(is_plain)).then(|| name.to_owned())
 }
 
 #[cfg(test)]

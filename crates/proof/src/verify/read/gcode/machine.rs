@@ -66,7 +66,7 @@ impl Machine {
                 let by_r = block.value(b'R').filter(|_| waits);
                 let celsius = block.value(b'S').or(by_r).unwrap_or(0.0);
                 // With S some controllers do not wait for a heater that is too hot.
-                let waits_for_cooler = by_r.is_some() || !context.dialect.vocabulary.waits_by_r;
+                let waits_for_cooler = by_r.is_some() || !context.dialect.vocabulary.waits_by_r();
                 #[expect(
                     clippy::cast_possible_truncation,
                     clippy::cast_sign_loss,
