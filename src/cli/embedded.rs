@@ -26,7 +26,7 @@ pub use crate::cli::predict::{GripperAnswer, StarQuestion};
 /// Proves the build in the directory `dir`, as `verify` does.
 ///
 /// # Errors
-/// If the directory cannot be read, or holds no build.
+/// If the directory cannot be read, or has no manifest of a build.
 pub fn prove(dir: &Path) -> Result<Proof, Failure> {
     verify::holds_a_build(dir)?;
     let (published, files): (PublishedBuild, OutputFiles<'_>) = verify::read_directory(dir)?;

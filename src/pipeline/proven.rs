@@ -152,7 +152,7 @@ impl PublishedBuild {
         let is_ours =
             |name: &str| name == MANIFEST || wanted_names.iter().any(|wanted_names| wanted_names == name);
         let foreign = files.names().filter(|name| !is_ours(name)).map(|name| {
-            Finding::new(FindingCode::UnnamedFile, "it belongs to no build", "the files of the build")
+            Finding::new(FindingCode::UnnamedFile, "it is not a file of the build", "the files of the build")
                 .in_file(name)
         });
         let findings = [finding.in_file(MANIFEST)].into_iter().chain(foreign).collect();

@@ -53,9 +53,11 @@ fn page(head: &str, schema: &str, template: &str) -> String {
     sections.sort_by_key(|(name, _)| place(template, name, ""));
     for (name, section) in sections {
         let section_words = section["description"].as_str().unwrap_or_default();
-        let (heading, object) = match section.get("items") {
-            Some(items) => (format!("[[{name}]]"), items),
-            None => (format!("[{name}]"), section),
+        let (heading, object) = match (section.get("items"), section.get("properties")) {
+            (Some(items), _) => (format!("[[{name}]]"), items),
+            (None, Some(_)) => (format!("[{name}]"), section),
+            // Sections with names of their own have equal keys.
+            (None, None) => (format!("[{name}.NAME]"), &section["additionalProperties"]),
         };
         page_text += &table(&heading, section_words, object, &|_, key| order(name, key), &mut units);
         for (key, list) in properties(section).filter(|(_, value)| value["items"]["type"] == "object") {
@@ -81,9 +83,15 @@ fn properties(object: &Value) -> impl Iterator<Item = (&String, &Value)> {
     object["properties"].as_object().into_iter().flatten()
 }
 
-/// Whether a property is a section or a list of sections.
+/// Whether a property is a section or a list of sections. A key that takes a table has an example of it.
 fn is_section(property: &Value) -> bool {
-    property["type"] == "object" || property["items"]["type"] == "object"
+    property["items"]["type"] == "object"
+        || property["type"] == "object" && property.get("examples").is_none()
+}
+
+/// Whether the section `name` of a template is `section`, or one of its sections with names.
+fn is_in_section(name: &str, section: &str) -> bool {
+    name == section || name.split_once('.').is_some_and(|(head, _)| head == section)
 }
 
 /// The line number of `key` of `section`, or of the section itself, in `template`; a missing key comes last.
@@ -98,9 +106,13 @@ fn place(template: &str, section: &str, key: &str) -> usize {
             bare.strip_prefix('[').and_then(|rest| rest.trim_start_matches('[').split_once(']'))
         {
             section_name = name;
-            position =
-                if key.is_empty() && section_name == section { position.min(number) } else { position };
-        } else if section_name == section && !key.is_empty() && bare.starts_with(&format!("{key} = ")) {
+            if key.is_empty() && is_in_section(section_name, section) {
+                position = position.min(number);
+            }
+        } else if is_in_section(section_name, section)
+            && !key.is_empty()
+            && bare.starts_with(&format!("{key} = "))
+        {
             position = position.min(number);
         }
     }
@@ -116,7 +128,7 @@ fn table(
     units: &mut BTreeMap<String, String>,
 ) -> String {
     let mut keys: Vec<(&String, &Value)> =
-        properties(object).filter(|(key, value)| !is_section(value) || *key == "layers").collect();
+        properties(object).filter(|(_, value)| !is_section(value)).collect();
     keys.sort_by_key(|(key, _)| order("", key));
     let mut table_text = format!("\n## {heading}\n\n");
     if !words.is_empty() {
@@ -134,6 +146,7 @@ fn table(
             Some(default) => format!("`{default}`"),
             None if is_required => format!("required; such as `{example}`"),
             None if heading == "[[stack.star]]" => "that of the others".to_owned(),
+            None if heading == "[process.NAME]" => "that of [seal]".to_owned(),
             None => format!("none; such as `{example}`"),
         };
         let _ = writeln!(table_text, "| `{key}` | {meaning} | {values} | {default} |");
@@ -162,16 +175,20 @@ fn meaning_and_values(property: &Value, units: &mut BTreeMap<String, String>) ->
     });
     let (meaning, values) = text.split_at(begin.unwrap_or(text.len()));
     let meaning = small(&meaning.trim().trim_end_matches('.').replace('|', "\\|"));
-    let bare_values = values.trim().trim_end_matches('.');
+    let (prefix, bare_values) = match values.trim().trim_end_matches('.').strip_prefix("By name: ") {
+        Some(value) => ("by name: ", value),
+        None => ("", values.trim().trim_end_matches('.')),
+    };
     if let Some((kind, rest)) = bare_values.split_once(" with its unit (") {
         let kind = kind.split_once(' ').map_or(kind, |(_, kind)| kind).to_owned();
         let (list, range) = rest.split_once("); ").expect("units and a range");
         let _ = units.insert(kind.clone(), list.to_owned());
-        return (meaning, format!("{kind}, {}", short(range)));
+        return (meaning, format!("{prefix}{kind}, {}", short(range)));
     }
     let values_in_words = match (property["type"].as_str(), bare_values) {
         (Some("boolean"), _) => "true or false".to_owned(),
         (Some("string"), "") => "text".to_owned(),
+        (Some("object"), "") => "table of lists".to_owned(),
         (_, words) => {
             short(&words.replacen("A plain number; ", "number, ", 1).replacen("A whole", "whole", 1))
         }

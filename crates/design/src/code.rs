@@ -18,7 +18,7 @@ codes! {
         CurvesCross "curves-cross" "Two curves of a drawing cross or touch; move one of them.",
         CurvesCrowded "curves-crowded" "Too many curves of a drawing lie on or near each other; remove copies and hatches.",
         CutInBand "cut-in-band" "A cut or a hole of a drawing lies in a band or around one, in the air, or across another cut; move it.",
-        DeepContact "deep-contact" "A process presses a tip without a spring into the bed; raise its `height`.",
+        DeepContact "deep-contact" "A contact is deeper than the tip or the controller allows; raise `height` or `surface`, or free Z (M211 S0).",
         DrawingUnread "drawing-unread" "The drawing of the spec could not be read; put it beside the spec, under the name in `file`.",
         FeedFloor "feed-floor" "The controller cannot move as slowly as the seal needs; chop the seal, seal faster, or use finer steps.",
         HoleClosed "hole-closed" "Band and hole-side flap close the hole; make them smaller or inner_radius larger.",

@@ -28,7 +28,7 @@ pub struct PressureRow {
     pub force_range_N: Option<Interval>,
     /// Stretch p W / Y of the fabric.
     pub stretch: f64,
-    /// Burst pressure over this one; needs seal_strength.
+    /// Burst pressure over this one; needs the strength of the seam.
     pub burst_margin: Option<f64>,
     /// Whether stars around it were computed as shells; otherwise ranges are four times as wide.
     pub tried: bool,

@@ -87,7 +87,7 @@ pub struct SealLoad {
     pub range: Option<[LineForce; 2]>,
     /// Peel strength with which the seal surely holds that pressure, also where the range is too uncertain to be printed.
     pub sure_strength: Option<LineForce>,
-    /// Pressure at which the peel strength is reached; `None` without a `seal_strength`.
+    /// Pressure at which the peel strength is reached; `None` without the strength of its seam.
     pub burst: Option<Pressure>,
     /// Range of the value; a straight tube's is exact.
     pub burst_range: Option<[Pressure; 2]>,

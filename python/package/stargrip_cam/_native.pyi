@@ -445,7 +445,7 @@ class Prediction:
         """Where on the flat star the seal's pull is largest, mm. By the shell only."""
     @property
     def burst_pressure_kPa(self) -> float | None:
-        """Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`."""
+        """Pressure at which the pull on the seal is the strength of its seam, kPa. Needs that strength."""
     @property
     def seal_tension(self) -> dict[str, Any] | None:
         """Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only."""
@@ -521,7 +521,7 @@ class DrawnPrediction:
         """Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only."""
     @property
     def burst_pressure_kPa(self) -> float | None:
-        """Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles."""
+        """Least pressure at which a chamber's seal peels, kPa. Needs the strength of every seam, and the shell with wrinkles that are not averaged."""
     @property
     def burst_range_kPa(self) -> tuple[float, float] | None:
         """Range of the burst pressure: mesh errors, and how the pull may grow with the pressure."""

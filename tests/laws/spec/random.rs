@@ -119,9 +119,9 @@ const REQUIRED: &[Key] = &[
     key("star", "tip_angle", Angle::KIND.units, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
 ];
 
-/// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no wider
-/// than the band, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused beside an iron: tests/design/pressed.rs sets
-/// them.
+/// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no
+/// wider than the band, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused
+/// beside an iron: tests/design/pressed.rs sets them.
 const ELSEWHERE: [KeyPath; 9] = [
     key_path::cut::TEMPERATURE,
     key_path::cut::SPEED,

@@ -1,8 +1,8 @@
 //! A second clock: it reads the text of the programs and applies the rules of each firmware, as its source states them. It shares no code
 //! with the plan, whose pacing it checks, nor with `verify`.
 //!
-//! GRBL on an AVR, grblHAL on an ESP32, FluidNC, Marlin on both kinds of boards, Klipper, RepRapFirmware, LinuxCNC; `generic` is run by a
-//! controller that looks ahead as Klipper does. The rules omit the time for transferring and reading lines (except 1.1 ms a stroke on the
+//! GRBL on an AVR, grblHAL on an ESP32, FluidNC, Marlin on both kinds of boards, Klipper, RepRapFirmware, LinuxCNC; `generic`, and by
+//! assumption `prusa` and `bambu`, are run by a controller that looks ahead as Klipper does. The rules omit the time for transferring and reading lines (except 1.1 ms a stroke on the
 //! AVR), and the accuracy of the controller's own oscillator.
 #![allow(
     clippy::cast_possible_truncation,

@@ -1,7 +1,7 @@
 //! Drawn chambers under pressure: the shell on the flat regions themselves.
 //!
-//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with ranges where wrinkles are averaged, [`text`] formats it. No hinge model covers a
-//! drawn shape, so without the shell only flat quantities are predicted.
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with ranges where mesh errors alone do not
+//! bound the shape, [`text`] formats it. No hinge model covers a drawn shape, so without the shell only flat quantities are predicted.
 
 pub mod chambers;
 pub mod measures;

@@ -33,7 +33,8 @@ keyed! {
         pub mass_g: Option<f64>,
         /// Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.
         pub volume_mm3: Option<MeshedValue>,
-        /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles.
+        /// Least pressure at which a chamber's seal peels, kPa. Needs the strength of every seam, and the shell with wrinkles
+        /// that are not averaged.
         pub burst_pressure_kPa: Option<f64>,
         /// Range of the burst pressure: mesh errors, and how the pull may grow with the pressure.
         pub burst_range_kPa: Option<Interval>,
@@ -414,8 +415,8 @@ impl DrawnPrediction {
     }
 
     fn warnings(&self) -> Vec<PredictionWarning> {
-        // What makes an answer doubtful, the gravest first: a shape that leaves its plane, averaged wrinkles, coarse
-        // meshes, a seal that may burst.
+        // What makes an answer doubtful, the gravest first: a shape that leaves its plane, wrinkles that are
+        // not resolved, a second shape, coarse meshes, a seal that may burst.
         let count = self.chambers.len();
         let leaving = self.leaving().map(|text| PredictionWarning::new(WarningCode::LeavesPlane, text));
         let mut list: Vec<PredictionWarning> = leaving.into_iter().collect();

@@ -22,7 +22,7 @@ type RowAnswer = (Answer, Option<Box<Measurements>>);
 pub(super) struct Models {
     /// The ring's table.
     pub(super) ring: RingTable,
-    /// Fineness of the shells' meshes; `None`: `section` stands in for `bvp` and `shell`.
+    /// Fineness of the shells' meshes; `None`: `section` replaces `bvp` and `shell`.
     pub(super) detail: Option<Detail>,
 }
 

@@ -1,4 +1,4 @@
-//! How a user recognises the controller of a machine, and machines that no profile serves.
+//! How a user recognises the controller of a machine, and machines without a profile.
 
 use crate::dialect::Dialect;
 use crate::machine::{Heating, Machine, SealingTool};
@@ -50,7 +50,7 @@ pub struct UnservedMachine {
     beginnings: &'static [&'static str],
 }
 
-/// Machines that owners of sealing tools have, and that no profile serves.
+/// Machines without a profile that owners of sealing tools have.
 pub const UNSERVED_MACHINES: [UnservedMachine; 6] = [
     UnservedMachine {
         names: "Mach3, Mach4, UCCNC, PlanetCNC, Estlcam, Smoothieware, TinyG, g2core",
@@ -85,7 +85,7 @@ pub const UNSERVED_MACHINES: [UnservedMachine; 6] = [
 ];
 
 /// What the owner of a machine called `name` may write in place of it: the profile that machines of this name usually have, or what to try
-/// where none serves it. `None` for an unknown name.
+/// without one. `None` for an unknown name.
 pub fn machine_remedy(name: &str) -> Option<String> {
     if let Some((controller, profile)) = usual_profile(name) {
         return Some(format!("it usually has {controller}: write profile = \"{profile}\""));
@@ -94,7 +94,7 @@ pub fn machine_remedy(name: &str) -> Option<String> {
     let unserved = UNSERVED_MACHINES
         .iter()
         .find(|machine| machine.beginnings.iter().any(|beginning| plain.starts_with(beginning)))?;
-    Some(format!("no profile serves {}; try: {}", unserved.names, unserved.remedy))
+    Some(format!("there is no profile for {}; try: {}", unserved.names, unserved.remedy))
 }
 
 #[cfg(test)]
