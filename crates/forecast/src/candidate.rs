@@ -1,5 +1,7 @@
 //! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
 
+mod star_cases;
+
 use crate::case::Case;
 use crate::interval::{Interval, scaled};
 use crate::model_selection::tabled;
@@ -7,12 +9,12 @@ use crate::outcome::Outcome;
 use crate::payload::{Bearers, stack_payload};
 use crate::prediction::StackPayload;
 use crate::seal_load::burst;
-use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area, opening};
+use design::{Refusal, RefusalCode, SHEETS, Star, cut_area, opening};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::RingTable;
 use spec::units::{Length, Pressure};
-use spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
+use spec::{Code, Fabric, Inlet, Load, ModelChoice, ProcessSpec, Seal, Spec, StarSpec};
 use std::fmt;
 
 /// One gripper, in the spec's units: the values of a spec that determine its prediction.
@@ -26,6 +28,8 @@ pub struct Candidate {
     pub fabric: Fabric,
     /// The seal.
     pub seal: Seal,
+    /// The processes that loops of its stars may name.
+    pub processes: Vec<ProcessSpec>,
     /// The inlet.
     pub inlet: Option<Inlet>,
     /// Diameter of the registration holes.
@@ -115,6 +119,7 @@ impl Candidate {
             unequal: if differ { spec.stars.clone() } else { Vec::new() },
             fabric: spec.fabric.clone(),
             seal: spec.seal.clone(),
+            processes: spec.processes.clone(),
             inlet: spec.inlet.clone(),
             hole_diameter: spec.sheet.hole_diameter,
             load: spec.load.clone().unwrap_or_default(),
@@ -150,6 +155,7 @@ impl Candidate {
     ) -> Result<Answer, RefusedDesign> {
         let star = Star::for_band(&self.star, self.seal.band)?;
         let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?
+            .with_strengths(self.strengths(&self.star))
             .above_plate(Some(opening([self.star.inner_radius.0], self.clearance.0)));
         let cases = self.different_cases(&star, &case)?;
         let mut case = cases.first().map_or(case, |(case, _)| *case);
@@ -181,70 +187,6 @@ impl Candidate {
             payload_range: payload.range_kg,
             fabric: area.map(|area| SHEETS * area),
         })
-    }
-
-    /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `base_case`, the
-    /// case of `star`.
-    fn different_cases(&self, star: &Star, base_case: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
-        let object = Object::new(&self.load).filter(|_| self.stars > 1);
-        if self.unequal.is_empty() {
-            let meetings = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
-            return Ok(meetings
-                .into_iter()
-                .map(|(meeting, slopes)| (base_case.meeting(Some(meeting)), slopes))
-                .collect());
-        }
-        let star_of = |(i, one): (usize, &StarSpec)| {
-            Star::for_band(one, self.seal.band).map_err(|refusal| refusal.of_star(i + 1))
-        };
-        let stars = self.unequal.iter().enumerate().map(star_of).collect::<Result<Vec<Star>, _>>()?;
-        let mut heights = vec![0.0];
-        for star in self.unequal.iter().skip(1) {
-            heights.push(heights[heights.len() - 1] + star.pitch.0);
-        }
-        let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
-        let meetings = object.map(|object| object.meetings(&heights, &holes));
-        let case = |(i, star): (usize, &Star)| {
-            let neighbours = self.unequal.iter().take(i + 1).skip(i.saturating_sub(1));
-            let plate_opening = opening(neighbours.map(|star| star.inner_radius.0), self.clearance.0);
-            let meeting = meetings.as_ref().and_then(|meetings| meetings.get(i)).copied();
-            let case =
-                Case::new(star, &self.fabric, &self.seal, Some(&self.load))?.above_plate(Some(plate_opening));
-            Ok((case.meeting(meeting), vec![meeting.map_or(0.0, |meeting| meeting.slope)]))
-        };
-        stars.iter().enumerate().map(case).collect()
-    }
-
-    /// The contacts of its equal stars with `object`, each with the slopes of the object at such stars, the lowest star's first; empty where
-    /// all meet its middle.
-    fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, Vec<f64>)> {
-        let mut meetings: Vec<(Meeting, Vec<f64>)> = Vec::new();
-        for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
-            match meetings.iter_mut().find(|(like, _)| like.is_like(&meeting)) {
-                Some((_, slopes)) => slopes.push(meeting.slope),
-                None => meetings.push((meeting, vec![meeting.slope])),
-            }
-        }
-        if meetings.len() > 1 || meetings.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
-            meetings
-        } else {
-            Vec::new()
-        }
-    }
-
-    /// Whether all of its stars are as `star`, whose case is `base_case`, and meet the object at its middle radius.
-    pub fn are_alike(&self, star: &Star, base_case: &Case) -> bool {
-        self.different_cases(star, base_case).is_ok_and(|cases| cases.is_empty())
-    }
-
-    /// The most stars of a stack that is not taller than its object, at least 1.
-    pub fn most_stars(&self) -> u32 {
-        let Some(object) = Object::new(&self.load) else { return u32::MAX };
-        let stars =
-            ((object.height().0 - self.plate.0) / self.star.pitch.0.max(1e-3)).floor().clamp(1.0, 1e3);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000")]
-        let stars = stars as u32;
-        stars
     }
 }
 
@@ -285,10 +227,11 @@ mod tests {
     use spec::units::LineForce;
     use spec::{Source, read, starter};
 
-    /// Rounded hinges that differ, a stack, and all optional inputs.
+    /// Rounded hinges that differ, a stack, all optional inputs, and outer loops so weak that corners may open first.
     fn spec(radii: [f64; 2]) -> Spec {
-        let text = starter("x").expect("a name")
-            + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"150 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";
+        let star = "\n[star]\nouter_process = \"weak\"\n";
+        let text = starter("x").expect("a name").replace("\n[star]\n", star)
+            + "\n[process.weak]\nstrength = \"0.9 N/mm\"\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"150 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";
         let mut spec = read(&Source::new("x", text)).expect("valid").spec;
         spec.accuracy.model = spec::ModelChoice::Ring;
         spec.fabric.seal_strength = Some(LineForce(3.0));

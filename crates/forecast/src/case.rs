@@ -113,8 +113,13 @@ impl Case {
     pub fn of_part(spec: &Spec, part: &StarDesign) -> Result<Self, StarFault> {
         let strengths =
             [0, 1].map(|index: usize| spec.process(&part.seam_lines.get(index)?.process).strength);
-        let peel = loop_strengths(strengths);
-        Ok(Self { peel, ..Self::of_star(spec, &part.star)? })
+        Ok(Self::of_star(spec, &part.star)?.with_strengths(strengths))
+    }
+
+    /// This star with the strengths of its inner and its outer loop.
+    #[must_use]
+    pub fn with_strengths(self, loops: [Option<LineForce>; 2]) -> Self {
+        Self { peel: loop_strengths(loops), ..self }
     }
 
     /// The least peel strength of its seams, N per m; `None` if one is unknown.

@@ -5,7 +5,8 @@ use crate::interval::Interval;
 use crate::prediction::Hinges;
 use crate::ranges::StarRanges;
 use crate::seal_load::{
-    Bursting, LoadedHinge, burst, burst_range, factor, hardest_bounds, largest_pull, possible_radius, remedy,
+    Bursting, burst, burst_range, factor, largest_pull, possible_radius, remedy, sharpest_need,
+    weakest_bounds,
 };
 use design::Star;
 use inflatable::mechanics::hinge::ring::Ring;
@@ -36,7 +37,7 @@ impl SealForecast {
             .map(|radius| factor(&Ring, radius / case.mechanism.width));
         let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
         // They differ only for hinges that are too sharp for a range.
-        let bounds = burst_range.or_else(|| hardest_bounds(case));
+        let bounds = burst_range.or_else(|| weakest_bounds(case));
         let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at_pressure(p, burst, bounds));
         let bursts = bursting.is_some_and(|at| at != Bursting::No);
         Self {
@@ -46,7 +47,7 @@ impl SealForecast {
             burst_range,
             bounds,
             bursting,
-            safe: if bursts { possible_radius(spec, case, star, LoadedHinge::Tip) } else { None },
+            safe: if bursts { possible_radius(spec, case, star, sharpest_need(case)) } else { None },
         }
     }
 

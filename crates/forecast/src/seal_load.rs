@@ -8,7 +8,7 @@
 mod burst;
 mod pull;
 
-pub(super) use self::burst::hardest_bounds;
+pub(super) use self::burst::weakest_bounds;
 pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
 pub use self::pull::{HingeSeal, LoadedHinge, RANGE, factor, largest_pull, pull, tried_range};
 
@@ -27,8 +27,6 @@ use std::fmt;
 
 /// Roundest hinge that is advised, R*: rounder than ten widths no hinge is a hinge, and its pull is within a tenth of the straight tube's.
 const ROUNDEST: f64 = 10.0;
-/// The place where the hose goes in.
-const INLET: &str = "inlet";
 /// Sharpest hinge that is looked at, R*: there k is 1e5, more than any seal holds.
 const SHARPEST: f64 = 1e-6;
 
@@ -49,6 +47,17 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let r_star = last_holding(safe, sharp, 60, is_safe);
     let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
     Some(Length(hundredths / 100.0))
+}
+
+/// The hinge that needs the larger radius to hold: the tips are pulled harder, unless the seam at the corners is weaker.
+pub(super) fn sharpest_need(case: &Case) -> LoadedHinge {
+    let is_corner_weaker = case.peel.tip.zip(case.peel.corner).is_some_and(|(tip, corner)| corner < tip);
+    let need = |hinge| safe_radius(case, hinge).map_or(f64::INFINITY, |radius| radius.0);
+    if is_corner_weaker && need(LoadedHinge::Corner) > need(LoadedHinge::Tip) {
+        LoadedHinge::Corner
+    } else {
+        LoadedHinge::Tip
+    }
 }
 
 /// [`safe_radius`], if `star` of `spec`, whose case is `case`, can have it at both tips and corners: it can be made then, and has a
@@ -103,11 +112,13 @@ pub struct SealLoad {
 pub fn seal_loads(spec: &Spec, case: &Case, part: &StarDesign) -> Vec<SealLoad> {
     let width = case.mechanism.width;
     let channel = part.channel.map(|channel| Length(2.0 * channel.half_width).metres());
+    let (tips, corners) = (Some(LoadedHinge::Tip), Some(LoadedHinge::Corner));
+    // An arm lies between both loops, and the channel is an opening of the outer one.
     let places = [
-        SealPlace { name: "tips", hinge: Some(LoadedHinge::Tip), width: Some(width) },
-        SealPlace { name: "corners", hinge: Some(LoadedHinge::Corner), width: Some(width) },
-        SealPlace { name: "arms", hinge: None, width: Some(width) },
-        SealPlace { name: INLET, hinge: None, width: channel },
+        SealPlace { name: "tips", hinge: tips, width: Some(width), peel: case.peel.tip },
+        SealPlace { name: "corners", hinge: corners, width: Some(width), peel: case.peel.corner },
+        SealPlace { name: "arms", hinge: None, width: Some(width), peel: case.least_peel() },
+        SealPlace { name: "inlet", hinge: None, width: channel, peel: case.peel.corner },
     ];
     places.iter().filter_map(|place| place.load(spec, case, &part.star)).collect()
 }
@@ -119,6 +130,8 @@ struct SealPlace {
     hinge: Option<LoadedHinge>,
     /// Width of the tube, m; `None` if the star has no such place.
     width: Option<f64>,
+    /// Peel strength of its seam, N per m.
+    peel: Option<f64>,
 }
 
 impl SealPlace {
@@ -126,7 +139,7 @@ impl SealPlace {
     fn load(&self, spec: &Spec, case: &Case, star: &Star) -> Option<SealLoad> {
         // A hinge has a predicted pull with a range, a straight tube an exact one. Pull and burst pressure follow from it
         // where pressure and peel strength are known, the safe radius where the hinge may burst.
-        let Self { name, hinge, width } = *self;
+        let Self { name, hinge, width, peel } = *self;
         let width = width?;
         let seal = hinge.map(|hinge| HingeSeal::new(case, hinge, &Ring));
         // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
@@ -140,12 +153,6 @@ impl SealPlace {
                 Some((load, Some([load; 2]), load))
             }
         });
-        let peel = match (hinge, name) {
-            (Some(hinge), _) => hinge.peel(case),
-            // The channel is an opening of the outer loop, and an arm lies between both loops.
-            (None, INLET) => case.peel.corner,
-            (None, _) => case.least_peel(),
-        };
         let burst = peel.and_then(|peel| match seal {
             Some(seal) => Some((bursting(case, seal?, peel), burst_bounds(case, seal?))),
             None => Some((PI * peel / width, Some([PI * peel / width; 2]))),

@@ -43,11 +43,9 @@ pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> Str
 }
 
 /// The seal of the hinges that peels first: the one with the largest pull, or with the largest part of its strength where tips and corners
-/// are sealed by processes of different strength. `None` as of [`hardest`].
+/// are sealed by processes of different strength. `None` as of [`hardest`], or if a strength is unknown.
 fn weakest(case: &Case, ring: &dyn HingeModel) -> Option<HingeSeal> {
-    let (Some(tip_peel), Some(corner_peel)) = (case.peel.tip, case.peel.corner) else {
-        return hardest(case, ring);
-    };
+    let (tip_peel, corner_peel) = (case.peel.tip?, case.peel.corner?);
     if tip_peel == corner_peel {
         return hardest(case, ring);
     }
@@ -72,8 +70,8 @@ pub fn burst_range(case: &Case) -> Option<Interval> {
     if is_tried(case, seal.radius) { burst_bounds(case, seal) } else { None }
 }
 
-/// The burst range of any hinge, to judge the seal by.
-pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
+/// The burst range of the weakest hinge, however sharp, to judge the seal by.
+pub(crate) fn weakest_bounds(case: &Case) -> Option<Interval> {
     burst_bounds(case, weakest(case, &Ring)?)
 }
 
@@ -147,13 +145,8 @@ pub fn burst_of_drawn(peel: f64, pressure: f64, [pull, error]: [f64; 2]) -> Opti
     if smallest.is_nan() || smallest <= 0.0 {
         return None;
     }
-    let ends: Vec<f64> = [pull + error, smallest]
-        .into_iter()
-        .flat_map(|pull| {
-            let ratio = peel / pull;
-            [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
-        })
-        .collect();
+    let ratios = [pull + error, smallest].map(|pull| peel / pull);
+    let ends = ratios.map(|ratio| [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]).concat();
     let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
     let high = ends.iter().copied().fold(0.0, f64::max);
     Some((pressure * peel / pull, [low, high].map(|times| pressure * times)))

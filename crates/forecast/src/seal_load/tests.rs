@@ -188,3 +188,27 @@ fn ranges_of_round_and_sharp_hinges() {
     // Without a range, a seal below its predicted burst pressure may burst.
     assert_eq!([0.9, 1.1].map(|p| Bursting::at_pressure(p, 1.0, None)), [Bursting::Perhaps, Bursting::Yes]);
 }
+
+/// With one strength unknown nothing is known of the pressure at which the first seam opens.
+#[test]
+fn a_burst_pressure_needs_the_strengths_of_both_loops() {
+    let case = case_of(&paper_spec(37.0));
+    assert!(burst(&case, &Ring).is_some() && weakest_bounds(&case).is_some());
+    let strength = Some(LineForce(1.0));
+    for loops in [[strength, None], [None, strength]] {
+        let case = case.with_strengths(loops);
+        assert_eq!((burst(&case, &Ring), burst_range(&case), weakest_bounds(&case)), (None, None, None));
+    }
+}
+
+/// The advised radius holds at both hinges, also where the seam at the corners is the weaker one.
+#[test]
+fn the_advised_radius_is_that_of_the_hinge_that_needs_it() {
+    let case = case_of(&paper_spec(37.0));
+    assert_eq!(sharpest_need(&case), LoadedHinge::Tip);
+    let case = case.with_strengths([Some(LineForce(9.0)), Some(LineForce(0.8))]);
+    let [tip, corner] =
+        [LoadedHinge::Tip, LoadedHinge::Corner].map(|hinge| safe_radius(&case, hinge).expect("one holds"));
+    assert!(corner > tip, "{tip} {corner}");
+    assert_eq!(sharpest_need(&case), LoadedHinge::Corner);
+}
