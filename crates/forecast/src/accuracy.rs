@@ -6,8 +6,8 @@
 //! a wrong number, so its shells state at least their typical distance from the finest ones (docs/trade.md).
 
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
-use crate::interval::Interval;
-use crate::meshed::MeshedValue;
+use crate::interval::relative_error;
+use crate::meshed::MeshedPlace;
 use crate::prediction::{Prediction, StarPrediction};
 use crate::shell::{Detail, least_errors};
 
@@ -33,8 +33,8 @@ fn of_star(star: &StarPrediction, detail: Option<Detail>) -> Option<f64> {
             force.zip(mesh.object_force_N).map(|(force, error)| (error / force).max(smallest_errors.force));
         [Some(of_radius), error]
     } else {
-        let error = force.zip(ranges.object_force_N).map(|(force, range)| of_range(force, range));
-        [ranges.final_radius_mm.map(|range| of_range(radius, range)), error]
+        let error = force.zip(ranges.object_force_N).map(|(force, range)| relative_error(force, range));
+        [ranges.final_radius_mm.map(|range| relative_error(radius, range)), error]
     };
     // A force that is 0 or not predicted has no error.
     largest([radius_error, force.map_or(Some(0.0), |_| force_error)].into_iter())
@@ -42,22 +42,16 @@ fn of_star(star: &StarPrediction, detail: Option<Detail>) -> Option<f64> {
 
 fn of_chamber(chamber: &ChamberPrediction) -> Option<f64> {
     let (extents, volume) = (chamber.extents_mm?, chamber.volume_mm3?);
-    let height =
-        chamber.height_mm.map(|height| MeshedValue { value: height.value, mesh_error: height.mesh_error })?;
+    let height = chamber.height_mm.map(MeshedPlace::number)?;
     let values = [extents[0], extents[1], height, volume];
     let errors = match chamber.ranges {
         Some(ranges) => {
             let ranges = [ranges.extents_mm[0], ranges.extents_mm[1], ranges.height_mm, ranges.volume_mm3];
-            std::array::from_fn(|k| of_range(values[k].value, ranges[k]))
+            std::array::from_fn(|k| relative_error(values[k].value, ranges[k]))
         }
         None => values.map(|value| value.mesh_error / value.value),
     };
     largest(errors.into_iter().map(Some))
-}
-
-/// Distance of `value` from the farther end of its range, by itself.
-fn of_range(value: f64, [low, high]: Interval) -> f64 {
-    (high - value).max(value - low) / value
 }
 
 /// The largest of `errors`; `None` if one is unknown or not a number.

@@ -15,6 +15,16 @@ pub fn scaled(range: Interval, factor: f64) -> Interval {
     range.map(|end| factor * end)
 }
 
+/// The interval that holds both.
+pub fn hull([low, high]: Interval, other: Interval) -> Interval {
+    [low.min(other[0]), high.max(other[1])]
+}
+
+/// Distance of `value` from the farther end of its range, by itself.
+pub fn relative_error(value: f64, [low, high]: Interval) -> f64 {
+    (high - value).max(value - low) / value
+}
+
 /// The sum of ranges: errors of equal stars are the same, so that ends add up; `None` if any of them is unknown.
 pub fn sum(ranges: impl IntoIterator<Item = Option<Interval>>) -> Option<Interval> {
     ranges.into_iter().try_fold([0.0, 0.0], |[low, high], range| range.map(|[a, b]| [low + a, high + b]))

@@ -33,6 +33,11 @@ pub struct MeshedPlace {
 }
 
 impl MeshedPlace {
+    /// The value without its place.
+    pub(super) fn number(self) -> MeshedValue {
+        MeshedValue { value: self.value, mesh_error: self.mesh_error }
+    }
+
     /// `value` at a place of the flat sheet, m, in six digits.
     pub(super) fn rounded(value: Value, place: [f64; 2]) -> Self {
         let MeshedValue { value, mesh_error } = MeshedValue::rounded(value);

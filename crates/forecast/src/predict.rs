@@ -1,7 +1,7 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
 use crate::case::{Case, weave};
-use crate::interval::{Interval, mm};
+use crate::interval::{mm, relative_error};
 use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named_limit, tabled};
 use crate::outcome::{Grip, Outcome};
 use crate::payload::{Bearers, stack_payload, wrinkling_warnings};
@@ -95,22 +95,15 @@ fn predict_stars(
     design: &StarAssembly,
     models: &StarModels,
 ) -> Result<Vec<StarPrediction>, PredictFault> {
-    let meetings: Vec<Option<Meeting>> = match design.meetings(spec) {
-        Some(meetings) => {
-            meetings.into_iter().map(Some).chain(repeat(None)).take(design.stars.len()).collect()
-        }
-        None => vec![None; design.stars.len()],
-    };
+    // One of each star, or none without an object.
+    let meetings = design.meetings(spec).unwrap_or_default();
     let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
     for (i, placed) in design.stars.iter().enumerate() {
         // Stars of a stack are often equal; a slow model then answers once.
         let mut earlier = design.stars.iter().take(i).enumerate();
         let opening = design.frame.opening_below(placed.index);
         let twin = earlier.find(|(j, other)| {
-            let meets_alike = match (&meetings[*j], &meetings[i]) {
-                (Some(first), Some(second)) => first.is_like(second),
-                (first, second) => first == second,
-            };
+            let meets_alike = meetings.is_empty() || meetings[*j].is_like(&meetings[i]);
             other.distinct == placed.distinct
                 && meets_alike
                 && design.frame.opening_below(other.index) == opening
@@ -118,7 +111,7 @@ fn predict_stars(
         let part = design.part(placed);
         stars.push(match twin {
             Some((twin, _)) => stars[twin].clone(),
-            None => predict_star(spec, part, meetings[i], opening, models)
+            None => predict_star(spec, part, meetings.get(i).copied(), opening, models)
                 .map_err(|fault| located(placed.index, spec, part, &fault))?,
         });
     }
@@ -342,8 +335,8 @@ impl PlacedCase<'_> {
                 // The requested quantity: the force where there is an object, else the final radius.
                 let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
                 let parts = [
-                    ("the final radius", radius.map(|range| largest_share(range, rest_radius))),
-                    ("the force on the object", force.map(|(force, range)| largest_share(range, force))),
+                    ("the final radius", radius.map(|range| relative_error(rest_radius, range))),
+                    ("the force on the object", force.map(|(force, range)| relative_error(force, range))),
                 ];
                 let wide = parts.into_iter().filter_map(|(what, part)| Some((what, part?)));
                 let wide: Vec<String> = wide
@@ -360,11 +353,6 @@ impl PlacedCase<'_> {
             }
         }
     }
-}
-
-/// Distance of `value` from the farther end of `range`, by itself.
-fn largest_share(range: Interval, value: f64) -> f64 {
-    (range[1] - value).max(value - range[0]) / value
 }
 
 /// A message that the star of `case` is outside the validated domain, with the reason.

@@ -52,11 +52,14 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
 /// The hinge that needs the larger radius to hold: the tips are pulled harder, unless the seam at the corners is weaker.
 pub(super) fn sharpest_need(case: &Case) -> LoadedHinge {
     let is_corner_weaker = case.peel.tip.zip(case.peel.corner).is_some_and(|(tip, corner)| corner < tip);
-    let need = |hinge| safe_radius(case, hinge).map_or(f64::INFINITY, |radius| radius.0);
-    if is_corner_weaker && need(LoadedHinge::Corner) > need(LoadedHinge::Tip) {
-        LoadedHinge::Corner
-    } else {
-        LoadedHinge::Tip
+    if !is_corner_weaker {
+        return LoadedHinge::Tip;
+    }
+    // `None`: no radius holds.
+    match [LoadedHinge::Tip, LoadedHinge::Corner].map(|hinge| safe_radius(case, hinge)) {
+        [Some(_), None] => LoadedHinge::Corner,
+        [Some(tip), Some(corner)] if corner.0 > tip.0 => LoadedHinge::Corner,
+        _ => LoadedHinge::Tip,
     }
 }
 

@@ -7,7 +7,7 @@ use crate::mended::{MendedCuts, NamedPath};
 use crate::mouth::Mouth;
 use crate::offset::offset_right;
 use crate::offset_graph::merged;
-use crate::regions::{depth, side_points};
+use crate::regions::{ALONG, depth, side_points};
 use crate::segments::{Approach, Segments};
 use crate::sketch::{DrawnCurve, DrawnPort, Rules, thousandths_up};
 use geom::{Bounds, Enclosures, Line, Path, Point, Segment, intersections};
@@ -232,7 +232,7 @@ fn seams_outside(cuts: &CutPaths, bands: &Bands) -> Vec<ShapeFault> {
     for band in &bands.list {
         let (place, _) = side_points(&band.path, 1e-6);
         // The longest segment may lie out of a mouth: the seam of a small edge is shorter than its ends beside the hose.
-        let middles = band.path.segments.iter().map(|segment| segment.point(0.414_213_6));
+        let middles = band.path.segments.iter().map(|segment| segment.point(ALONG));
         let mut places = std::iter::once(place).chain(middles);
         if places.all(|place| outline.enclosing(place).is_empty()) {
             let finding = format!("the seam of {} lies outside of the cut", Quoted(&band.names));

@@ -191,12 +191,14 @@ fn depths(network: &Network, rings: &[(usize, Path)], part: &[usize]) -> Depth {
     Depth { curves, enclosures }
 }
 
+/// The part of a segment at which points are taken. It is not round: a level ray from there meets no corner of a drawing on a grid.
+pub(crate) const ALONG: f64 = 0.414_213_6;
+
 /// A place on the longest segment of a path, and the points `slack` to its left and right.
 pub(crate) fn side_points(path: &Path, slack: f64) -> (Point, [Point; 2]) {
     let longest = path.segments.iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
     let Some(longest): Option<&Segment> = longest else { return (Point::ORIGIN, [Point::ORIGIN; 2]) };
-    // No round fraction: a level ray from it meets no corner of a drawing on a grid.
-    let (place, normal) = (longest.point(0.414_213_6), longest.tangent(0.414_213_6).perp());
+    let (place, normal) = (longest.point(ALONG), longest.tangent(ALONG).perp());
     (place, [place + normal * slack, place - normal * slack])
 }
 

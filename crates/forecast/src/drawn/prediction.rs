@@ -4,8 +4,10 @@ use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
 use crate::drawn::pressures::PortPressure;
 use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
-use crate::drawn::shapes::{ShapeRanges, averaged_pull, averaged_warning, blended_warning, second_warning};
-use crate::interval::Interval;
+use crate::drawn::shapes::{
+    ShapeRanges, averaged_pull, averaged_warning, blended_warning, second_warning, with_errors,
+};
+use crate::interval::{Interval, hull};
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue, six};
 use crate::model_search::AccuracySearch;
@@ -241,7 +243,7 @@ impl ChamberPrediction {
         region: &InflatedRegion,
         pieces: &DrawnPieces,
         pressure: Pressure,
-        processes: &SeamStrengths,
+        strengths: &SeamStrengths,
     ) {
         let seams = seam_predictions(region, pieces);
         let largest = largest_pull(&seams);
@@ -249,20 +251,20 @@ impl ChamberPrediction {
         let second_pull = second_seams.as_deref().and_then(largest_pull);
         // Folds may pull harder than their mean.
         let is_averaged = region.wrinkles == Wrinkles::Averaged;
-        let mut opening = if is_averaged { None } else { processes.first_opening(&seams, pressure) };
+        let mut opening = if is_averaged { None } else { strengths.first_opening(&seams, pressure) };
         let second_opening =
-            second_seams.as_deref().and_then(|seams| processes.first_opening(seams, pressure));
-        if let Some(((_, (_, range)), (_, (_, [low, high])))) = opening.as_mut().zip(second_opening) {
-            *range = [range[0].min(low), range[1].max(high)];
+            second_seams.as_deref().and_then(|seams| strengths.first_opening(seams, pressure));
+        if let Some((first, second)) = opening.as_mut().zip(second_opening) {
+            first.range = hull(first.range, second.range);
         }
-        let burst = opening.as_ref().map(|(_, burst)| *burst);
-        self.bursts_first =
-            opening.filter(|_| processes.differ()).map(|(seam, (burst, range))| FirstOpening {
-                process: processes.process(&seam).to_owned(),
-                seam,
-                pressure_kPa: rounded_kpa(burst),
-                range: range.map(rounded_kpa),
-            });
+        self.burst_pressure_kPa = opening.as_ref().map(|first| rounded_kpa(first.burst));
+        self.burst_range_kPa = opening.as_ref().map(|first| first.range.map(rounded_kpa));
+        self.bursts_first = opening.filter(|_| strengths.differ()).map(|first| FirstOpening {
+            seam: first.seam,
+            process: first.process,
+            pressure_kPa: rounded_kpa(first.burst),
+            range: first.range.map(rounded_kpa),
+        });
         self.wrinkles = Some(match region.wrinkles {
             Wrinkles::Resolved => "resolved",
             Wrinkles::Blended => BLENDED,
@@ -276,8 +278,6 @@ impl ChamberPrediction {
         self.second_shape = second_pull.and_then(|pull| SecondShape::new(region, pull));
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
-        self.burst_pressure_kPa = burst.map(|(burst, _)| rounded_kpa(burst));
-        self.burst_range_kPa = burst.map(|(_, range)| range.map(rounded_kpa));
         self.largest_stretch = Some(MeshedPlace::rounded(region.stretch, region.stretch_at));
         self.largest_tension_N_per_mm =
             Some(MeshedPlace::rounded(region.tension.scaled(1e-3), region.tension_at));
@@ -311,12 +311,7 @@ impl ChamberPrediction {
         }
         // The second shape may pull elsewhere: the largest pull has its range, others that of their own values.
         let is_largest = self.seal_pull_N_per_mm == Some(pull);
-        let MeshedPlace { value, mesh_error, .. } = pull;
-        Some(if is_largest {
-            ranges.seal_pull_N_per_mm
-        } else {
-            [(value - mesh_error).max(0.0), value + mesh_error]
-        })
+        Some(if is_largest { ranges.seal_pull_N_per_mm } else { with_errors(pull) })
     }
 
     /// The largest value that a pull may have, by its range.

@@ -25,8 +25,25 @@ pub struct SeamPrediction {
     pub along: Vec<[f64; 4]>,
 }
 
+/// The seam that peels at the least pressure.
+pub(super) struct SeamOpening {
+    /// Name of the seam.
+    pub seam: String,
+    /// Name of its process.
+    pub process: String,
+    /// The pressure, Pa.
+    pub burst: f64,
+    /// Range of the pressure, Pa.
+    pub range: Interval,
+}
+
 /// Name of a seam that has none of its own.
 const ONLY: &str = "seam";
+
+/// The name under which `seam` is reported.
+fn name_of(seam: &Seam) -> &str {
+    if seam.name.is_empty() { ONLY } else { &seam.name }
+}
 
 /// The process and the peel strength of every seam of drawn pieces.
 pub(super) struct SeamStrengths {
@@ -41,10 +58,8 @@ impl SeamStrengths {
         for piece in &pieces.pieces {
             for (seam, lines) in piece.shape.seams.iter().zip(&piece.seam_lines) {
                 let process = spec.process(&lines.process);
-                let is_weaker =
-                    |known: &SealProcess| process.strength.map(|own| own.0) < known.strength.map(|own| own.0);
-                let name = if seam.name.is_empty() { ONLY } else { &seam.name };
-                if seams.get(name).is_none_or(is_weaker) {
+                let name = name_of(seam);
+                if seams.get(name).is_none_or(|known| process.strength < known.strength) {
                     let _ = seams.insert(name.to_owned(), process);
                 }
             }
@@ -58,30 +73,21 @@ impl SeamStrengths {
         names.next().is_some_and(|first| names.any(|name| name != first))
     }
 
-    /// The name of the process of `seam`.
-    pub(super) fn process(&self, seam: &str) -> &str {
-        &self.of_seam(seam).name
-    }
-
     fn of_seam(&self, seam: &str) -> &SealProcess {
         self.seams.get(seam).unwrap_or(&self.default)
     }
 
-    /// The one of `seams` that peels at the least pressure, with that pressure, Pa, and its range; `None` if a strength is unknown. The pulls
-    /// are those at `pressure`.
-    pub(super) fn first_opening(
-        &self,
-        seams: &[SeamPrediction],
-        pressure: Pressure,
-    ) -> Option<(String, (f64, Interval))> {
-        let mut first: Option<(String, (f64, Interval))> = None;
+    /// The one of `seams` that peels at the least pressure; `None` if a strength is unknown. The pulls are those at `pressure`.
+    pub(super) fn first_opening(&self, seams: &[SeamPrediction], pressure: Pressure) -> Option<SeamOpening> {
+        let mut first: Option<SeamOpening> = None;
         for SeamPrediction { seam, pull_N_per_mm, .. } in seams {
-            let peel = self.of_seam(seam).strength?.newtons_per_metre();
+            let process = self.of_seam(seam);
+            let peel = process.strength?.newtons_per_metre();
             let pull = [pull_N_per_mm.value, pull_N_per_mm.mesh_error]
                 .map(|pull| LineForce(pull).newtons_per_metre());
-            let Some(burst) = burst_of_drawn(peel, pressure.pascals(), pull) else { continue };
-            if first.as_ref().is_none_or(|(_, least)| burst.0 <= least.0) {
-                first = Some((seam.clone(), burst));
+            let Some((burst, range)) = burst_of_drawn(peel, pressure.pascals(), pull) else { continue };
+            if first.as_ref().is_none_or(|least| burst <= least.burst) {
+                first = Some(SeamOpening { seam: seam.clone(), process: process.name.clone(), burst, range });
             }
         }
         first
@@ -109,7 +115,7 @@ fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
     let distance = |seam: &Seam| seam.center_line.distance(Point::new(x, y));
     let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
     let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| ONLY.to_owned())
+    nearest.map_or(ONLY, name_of).to_owned()
 }
 
 fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {

@@ -5,7 +5,7 @@
 //! on the seal. The bounds of its ranges contain shells with resolved wrinkles of square pouches of 40 and 100 mm, a disc of 100 mm, bent tubes and
 //! V-actuators, at 1/eps from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps.
 
-use crate::interval::Interval;
+use crate::interval::{Interval, hull};
 use crate::meshed::{MeshedPlace, MeshedValue, six};
 use inflatable::shell::cases::{InflatedRegion, Value, Wrinkles};
 use serde::Serialize;
@@ -48,8 +48,7 @@ impl ShapeRanges {
         let (extents, volume) = (region.extents.map(|extent| extent.scaled(1e3)), region.volume.scaled(1e9));
         if region.wrinkles == Wrinkles::Averaged {
             let [height, volume] = [height, volume].each_ref().map(rounded);
-            let MeshedPlace { value, mesh_error, .. } = pulls[0];
-            let pull = MeshedValue { value, mesh_error };
+            let pull = pulls[0].number();
             return Some(Self::of_averaged(
                 region.bendability,
                 height,
@@ -60,16 +59,10 @@ impl ShapeRanges {
         }
         let second = region.second.as_deref().unwrap_or(region);
         Some(Self {
-            height_mm: hull(height, second.height.scaled(1e3)),
-            extents_mm: [0, 1].map(|axis| hull(extents[axis], second.extents[axis].scaled(1e3))),
-            volume_mm3: hull(volume, second.volume.scaled(1e9)),
-            seal_pull_N_per_mm: [
-                pulls
-                    .map(|pull| (pull.value - pull.mesh_error).max(0.0))
-                    .into_iter()
-                    .fold(f64::INFINITY, f64::min),
-                pulls.map(|pull| pull.value + pull.mesh_error).into_iter().fold(0.0, f64::max),
-            ],
+            height_mm: hull_of_values(height, second.height.scaled(1e3)),
+            extents_mm: [0, 1].map(|axis| hull_of_values(extents[axis], second.extents[axis].scaled(1e3))),
+            volume_mm3: hull_of_values(volume, second.volume.scaled(1e9)),
+            seal_pull_N_per_mm: hull(with_errors(pulls[0]), with_errors(pulls[1])),
         })
     }
 
@@ -93,14 +86,19 @@ impl ShapeRanges {
 }
 
 /// The interval that holds two values with their errors; none is below 0.
-fn hull(first: Value, second: Value) -> Interval {
-    let low = (first.value - first.error).min(second.value - second.error);
-    [six(low.max(0.0)), six((first.value + first.error).max(second.value + second.error))]
+fn hull_of_values(first: Value, second: Value) -> Interval {
+    let [first, second] = [first, second].map(|value| [value.value - value.error, value.value + value.error]);
+    hull(first, second).map(|end| six(end.max(0.0)))
+}
+
+/// The range of a `pull` by its mesh error.
+pub(super) fn with_errors(pull: MeshedPlace) -> Interval {
+    stated_range(pull.number(), [1.0, 1.0])
 }
 
 /// The range of a `pull` on a seam, N/mm, where wrinkles are averaged.
 pub(super) fn averaged_pull(pull: MeshedPlace) -> Interval {
-    stated_range(MeshedValue { value: pull.value, mesh_error: pull.mesh_error }, [1.0, PULL])
+    stated_range(pull.number(), [1.0, PULL])
 }
 
 /// `value`, from `factors[0]` to `factors[1]` times itself, and its mesh error beyond.

@@ -1,12 +1,10 @@
 //! The trade-off between contraction, stiffness and fabric.
 
-use crate::optimize::Evaluation;
+use crate::optimize::{Evaluation, Goal};
 
 /// The values to minimise.
 fn goals(candidate: &Evaluation) -> [f64; 3] {
-    let outcome = candidate.answer.outcome.as_ref();
-    let stiffness = outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0);
-    [-outcome.map_or(0.0, |outcome| outcome.contraction), -stiffness, candidate.fabric()]
+    [Goal::Contraction, Goal::Stiffness, Goal::Fabric].map(|goal| candidate.cost(goal))
 }
 
 /// The candidates that no other beats in all three goals at once.

@@ -9,7 +9,7 @@ pub mod errors;
 pub mod shown;
 
 use crate::case::{Case, Hinges};
-use crate::interval::Interval;
+use crate::interval::{Interval, hull};
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
@@ -77,9 +77,8 @@ impl Ranges {
         if self.domain == Domain::Unknown {
             return None;
         }
-        let [low, high] = errors::widened(errors::HINGE, self.wider);
         let thin = errors::hinge(case.sheet.thickness / case.mechanism.width);
-        Some([low.min(thin[0]), high.max(thin[1])])
+        Some(hull(errors::widened(errors::HINGE, self.wider), thin))
     }
 
     /// These ranges bounded by `edge`, the ranges of the star at its [`pressure_edge`]; `rests` are the final

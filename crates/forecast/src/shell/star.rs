@@ -11,7 +11,7 @@ use crate::shell::request::{Measurements, ask, entered, fault};
 use crate::shell::{Detail, SHELL};
 use crate::star_answer::{mm, without_model};
 use crate::warning::PredictionWarning;
-use design::{Design, Meeting, PlacedPart, StarDesign};
+use design::{Design, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
 use inflatable::shell::cases::{FlatStar, Hysteresis, InflatedShape, InflatedStar, Value, Watch};
@@ -39,15 +39,14 @@ pub fn predict(
     watch: &Watch<'_>,
 ) -> Result<(Prediction, InflatedShape), ShellRefusal> {
     let design = stars_of(design)?;
-    let meetings = design.meetings(spec);
-    let meetings = meetings.as_deref().unwrap_or_default();
+    // One of each star, or none without an object.
+    let meetings = design.meetings(spec).unwrap_or_default();
     let mut runs = Vec::new();
     for placed in design.firsts() {
-        let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
-        let meetings: Vec<Option<Meeting>> =
-            alike.map(|placed| meetings.get(placed.index - 1).copied()).collect();
         let run = star_case(spec, design.part(placed)).and_then(|case| {
-            let entered = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
+            let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
+            let entered =
+                alike.filter_map(|placed| entered(&case.meeting(meetings.get(placed.index - 1).copied())));
             let objects: Vec<f64> = radii.iter().copied().chain(entered).collect();
             ShellRun::new(spec, &case, &objects, detail, watch)
         });
@@ -115,7 +114,7 @@ impl ShellRun {
         let [pull, pull_error] = measured.seal_tension();
         let force = on_object.map(|force| force.value).or(is_beside.then_some(0.0));
         let wrinkling = case.wrinkling_mass(measured.tip_angle.value.to_radians());
-        let flat = without_model(spec, part, case);
+        let unmodelled = without_model(spec, part, case);
         StarPrediction {
             model: SHELL,
             tip_equilibrium_angle_deg: measured.equilibrium(),
@@ -156,9 +155,9 @@ impl ShellRun {
             })),
             evidence: ModelEvidence {
                 weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
-                ..self.evidence(case, &measured, &curve, &flat.evidence)
+                ..self.evidence(case, &measured, &curve, &unmodelled.evidence)
             },
-            ..flat
+            ..unmodelled
         }
     }
 

@@ -377,16 +377,19 @@ impl Requirement {
 impl NearestRequirements {
     /// The changes from the requirements `required`, in words.
     pub fn changes(&self, required: &Requirements) -> String {
+        self.changed(required).map(|(_, change)| change).collect::<Vec<_>>().join(" and ")
+    }
+
+    /// The requirements that differ from `required`, each with its change in words.
+    fn changed(&self, required: &Requirements) -> impl Iterator<Item = (Requirement, String)> {
         let easings = OFFERS.into_iter().chain([Requirement::Size]);
-        let changes = easings.filter_map(|easing| easing.change(required, &self.requirements));
-        changes.collect::<Vec<_>>().join(" and ")
+        easings.filter_map(|easing| Some((easing, easing.change(required, &self.requirements)?)))
     }
 
     /// Whether each value is near that of `required`: within a tenth.
     pub fn is_near(&self, required: &Requirements) -> bool {
-        let easings = OFFERS.into_iter().chain([Requirement::Size]);
-        let mut changed = easings.filter(|easing| easing.change(required, &self.requirements).is_some());
-        changed.all(|easing| is_near(easing.value(&self.requirements) / easing.value(required)))
+        self.changed(required)
+            .all(|(easing, _)| is_near(easing.value(&self.requirements) / easing.value(required)))
     }
 }
 

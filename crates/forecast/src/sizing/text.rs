@@ -56,19 +56,34 @@ fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 12] {
     fn text(value: impl Display) -> String {
         format!("\"{value}\"")
     }
+    // A new setting does not compile without its line.
+    let Seal {
+        temperature,
+        speed,
+        band,
+        overlap,
+        allowance,
+        hole_allowance,
+        height,
+        passes,
+        lines,
+        tip,
+        cool,
+        pause,
+    } = *seal;
     [
-        ("temperature", Some(text(seal.temperature))),
-        ("speed", Some(text(seal.speed))),
-        ("band", Some(text(seal.band))),
-        ("overlap", Some(text(seal.overlap))),
-        ("allowance", Some(text(seal.allowance))),
-        ("hole_allowance", Some(text(seal.hole_allowance))),
-        ("height", seal.height.map(text)),
-        ("passes", Some(seal.passes.to_string())),
-        ("lines", seal.lines.map(|lines| lines.to_string())),
-        ("tip", seal.tip.map(text)),
-        ("cool", Some(text(seal.cool))),
-        ("pause", SealPause::ALL.iter().find(|(_, pause)| *pause == seal.pause).map(|(word, _)| text(word))),
+        ("temperature", Some(text(temperature))),
+        ("speed", Some(text(speed))),
+        ("band", Some(text(band))),
+        ("overlap", Some(text(overlap))),
+        ("allowance", Some(text(allowance))),
+        ("hole_allowance", Some(text(hole_allowance))),
+        ("height", height.map(text)),
+        ("passes", Some(passes.to_string())),
+        ("lines", lines.map(|lines| lines.to_string())),
+        ("tip", tip.map(text)),
+        ("cool", Some(text(cool))),
+        ("pause", SealPause::ALL.iter().find(|(_, value)| *value == pause).map(|(word, _)| text(word))),
     ]
 }
 
