@@ -7,7 +7,7 @@ use stargrip_cam::geom::{Point, Vec2};
 use stargrip_cam::pipeline::{Sources, build, read_back};
 use stargrip_cam::spec::{Source, read};
 
-use crate::{built, findings_with, machine, profile, spec_text, text, try_built};
+use crate::{built, findings_with, machine, profile, recounted, spec_text, text, try_built};
 
 const CHOP: &str = "[machine]\nfeed_floor = \"chop\"\n";
 const JOB: &str = "star-1-seal.gcode";
@@ -126,10 +126,7 @@ fn a_dwell_after_a_joined_move_is_found() {
     let mut edited: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
     edited.insert(i, "G4 P200".to_owned());
     edited.insert(i, format!("G1 X{:.4} Y{:.4}", part('X'), part('Y')));
-    let count = edited.len();
-    let _ = edited.pop();
-    edited.push(format!("; end of program, {count} lines"));
-    let findings = findings_with(&build, JOB, &(edited.join("\n") + "\n"));
+    let findings = findings_with(&build, JOB, &recounted(&edited));
     assert!(findings.iter().any(|finding| finding.code == "short-stroke"), "{findings:?}");
 }
 

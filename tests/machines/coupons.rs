@@ -4,9 +4,8 @@ use stargrip_cam::coupon::{Coupon, CouponGroup, StripGrid, read_rows, table};
 use stargrip_cam::pipeline::{MadeCoupons, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::units::{Length, Speed, Temperature};
-use stargrip_cam::verify::gcode::{Dialect, read_program};
 
-use crate::{PROFILES, machine, profile, spec, spec_text};
+use crate::{PROFILES, machine, profile, read_for, spec, spec_text, star_text};
 
 /// All coupons, read back like every program.
 fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
@@ -21,9 +20,7 @@ fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
 #[test]
 fn every_coupon_is_sound_in_every_dialect() {
     for name in PROFILES {
-        let chop = crate::has_floor(name);
-        let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-        let (spec, machine) = (spec(&spec_text(rest)), machine(profile(name)));
+        let (spec, machine) = (spec(&star_text(name)), machine(profile(name)));
         let grid = StripGrid {
             temperatures: vec![Temperature(180.0), Temperature(210.0)],
             speeds: vec![Speed(0.1), Speed(0.5)],
@@ -33,7 +30,7 @@ fn every_coupon_is_sound_in_every_dialect() {
         let set = proven(&spec, &machine, &grid);
         assert_eq!(set.len(), 8 + 3);
         for coupon in &set {
-            let program = read_program(&coupon.gcode(), Dialect::for_controller(&machine.controller));
+            let program = read_for(&machine, &coupon.gcode());
             assert_eq!(program.findings, [], "{name} {}", coupon.name);
             let low: Vec<_> = program.moves.iter().filter(|step| step.to.z < 4.9).collect();
             let hot = if coupon.name.starts_with("strips-180") { 180.0 } else { 200.0 };
@@ -73,7 +70,7 @@ fn strips_that_the_controller_holds_go_steadily() {
     let (slow, fast) = (code("strips-200C-200um-s"), code("strips-200C-500um-s"));
     assert!(slow.contains("\nG4 P") && !fast.contains("\nG4 P") && fast.contains(" F30\n"));
     // Strokes and dwells of one strip give the required speed, to 0.2 %.
-    let program = read_program(&slow, Dialect::for_controller(&machine.controller));
+    let program = read_for(&machine, &slow);
     let contact = |z: f64| (z + 0.3).abs() < 1e-9;
     let run: Vec<_> = program.moves.iter().filter(|m| contact(m.from.z) && contact(m.to.z)).collect();
     let point = |at: stargrip_cam::verify::gcode::Point3| [at.x, at.y, at.z];

@@ -9,9 +9,8 @@ use stargrip_cam::pipeline::{Built, MadeCoupons, Sources, build, read_back};
 use stargrip_cam::resume::{ResumeAt, resume};
 use stargrip_cam::spec::{Machine, Source, Spec, read};
 use stargrip_cam::verify::OutputFiles;
-use stargrip_cam::verify::gcode::{Dialect, read_program};
 
-use crate::{PROFILES, findings_with, machine, profile, text as text_of};
+use crate::{PROFILES, findings_with, machine, profile, read_for, text as text_of};
 
 /// The shipped pillow with `rest` added to its spec: four copies, with a separator.
 fn pillow(rest: &str) -> (String, Spec) {
@@ -105,7 +104,7 @@ fn a_drawing_is_made_on_every_machine() {
         let job = String::from_utf8(seal.bytes.clone()).expect("text");
         let rest = resume(&job, ResumeAt::Line(job.lines().count() / 2), None);
         let rest = rest.unwrap_or_else(|fault| panic!("{name}: {fault}"));
-        let program = read_program(&rest.text, Dialect::for_controller(&machine.controller));
+        let program = read_for(&machine, &rest.text);
         assert_eq!(program.findings, [], "{name}");
         let grid = grid(&spec);
         let groups = CouponGroup::NAMES.map(|(_, group)| group);

@@ -1,30 +1,13 @@
 //! Seeded faults: each is found by its code and at its place, for every place and dialect.
 
 use proptest::prelude::*;
-use stargrip_cam::pipeline::Built;
 use stargrip_cam::verify::Finding;
 
-use crate::{PROFILES, built, findings_with, profile, spec_text, text};
+use crate::{PROFILES, built, findings_with, recounted, star, star_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
 /// The operator's heating instruction in programs without a heating command.
 const HEAT: &str = "; heat: temperature_C=200";
-
-fn build(name: &str) -> Built {
-    let chop = crate::has_floor(name);
-    let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-    built(&spec_text(rest), profile(name))
-}
-
-/// The program with the correct number of lines in its last line.
-fn with_line_count(lines: &[String]) -> String {
-    let mut text = String::new();
-    for line in &lines[..lines.len() - 1] {
-        text.push_str(line);
-        text.push('\n');
-    }
-    text + &format!("; end of program, {} lines\n", lines.len())
-}
 
 /// Indices of the lines that cut in contact: feed moves in the plane without a height.
 fn contact(lines: &[String]) -> Vec<usize> {
@@ -148,7 +131,7 @@ fn seeded(kind: usize, share: f64, text: &str) -> Option<Seeded> {
         }
         _ => return None,
     };
-    Some(Seeded { text: with_line_count(&lines), code, line })
+    Some(Seeded { text: recounted(&lines), code, line })
 }
 
 /// Whether one of the findings names the fault by its code and its line.
@@ -169,7 +152,7 @@ fn codes_and_lines(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
 fn every_kind_of_fault_is_named_with_its_line_in_every_dialect() {
     let mut missed = Vec::new();
     for name in PROFILES {
-        let machine_build = build(name);
+        let machine_build = star(name);
         let good = text(&machine_build, FILE);
         assert_eq!(findings_with(&machine_build, FILE, &good), [], "{name}");
         for kind in 0..13 {
@@ -192,7 +175,7 @@ proptest! {
 
     #[test]
     fn a_fault_anywhere_is_found(profile in 0..PROFILES.len(), kind in 0..13_usize, share in 0.0..1.0_f64) {
-        let machine_build = build(PROFILES[profile]);
+        let machine_build = star(PROFILES[profile]);
         if let Some(bad) = seeded(kind, share, &text(&machine_build, FILE)) {
             let findings = findings_with(&machine_build, FILE, &bad.text);
             prop_assert!(is_named(&bad, &findings), "{} {kind} {share}: {:?}", PROFILES[profile], codes_and_lines(&findings));
@@ -201,7 +184,7 @@ proptest! {
 
     #[test]
     fn a_file_cut_at_any_byte_is_found(profile in 0..PROFILES.len(), share in 0.0..1.0_f64) {
-        let machine_build = build(PROFILES[profile]);
+        let machine_build = star(PROFILES[profile]);
         let good = text(&machine_build, FILE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "small")]
         let end = (share * good.len() as f64) as usize;
@@ -212,9 +195,8 @@ proptest! {
     #[test]
     fn a_name_never_becomes_a_command(profile in 0..PROFILES.len(), name in "[ -~\u{e9}\u{661f}]{1,80}|.{0,20}[);(!~?%$;] ?(M104 S300|G0 Z-9|PAUSE|M2).{0,10}") {
         let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
-        let (machine, chop) = (crate::profile(PROFILES[profile]), crate::has_floor(PROFILES[profile]));
-        let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-        let plain = spec_text(rest);
+        let machine = crate::profile(PROFILES[profile]);
+        let plain = star_text(PROFILES[profile]);
         let named = plain.replace("name = \"small\"", &format!("name = \"{escaped}\""));
         prop_assume!(stargrip_cam::spec::check_name(&name).is_ok());
         let commands = |spec: &str| {

@@ -30,6 +30,7 @@ use stargrip_cam::spec::{
     Dialect, DialectFamily, Machine, PRESS_PROFILE, Source, Spec, StepRate, builtin_machine,
     builtin_machines, read, read_machine,
 };
+use stargrip_cam::verify::gcode::{Dialect as Reader, Program, read_program};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// The profiles of machines whose operator sets Z 0 on the sheet: one for each dialect but Bambu's, by its name.
@@ -38,6 +39,16 @@ const PROFILES: [&str; 8] =
 
 /// The profiles of printers that home: their programs count in the machine's coordinates.
 const PRINTERS: [&str; 4] = ["bambu", "ender", "prusa", "klipper-printer"];
+
+/// The profiles of all machines that run programs.
+fn all_profiles() -> impl Iterator<Item = &'static str> {
+    PROFILES.into_iter().chain(PRINTERS)
+}
+
+/// A profile for each dialect.
+fn profiles_of_dialects() -> impl Iterator<Item = &'static str> {
+    PROFILES.into_iter().chain(["bambu"])
+}
 
 /// The dialect of the profile `name`.
 fn dialect(name: &str) -> Dialect {
@@ -72,9 +83,11 @@ fn with_floor() -> impl Iterator<Item = &'static str> {
 #[test]
 fn every_profile_is_tried() {
     let with_programs = builtin_machines().filter(|name| *name != PRESS_PROFILE);
-    let tried = PROFILES.into_iter().chain(PRINTERS);
-    assert!(with_programs.eq(tried), "PROFILES and PRINTERS are not those that come with the program");
-    assert!(Dialect::WORDS.iter().all(|name| PROFILES.contains(name) || PRINTERS.contains(name)));
+    assert!(
+        with_programs.eq(all_profiles()),
+        "PROFILES and PRINTERS are not those that come with the program"
+    );
+    assert!(Dialect::WORDS.iter().all(|word| profiles_of_dialects().any(|name| name == *word)));
 }
 
 /// A spec of a small star, with `rest` added.
@@ -97,15 +110,40 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
+/// The section that has seals chopped on the profile `name`; empty where its controller runs them steadily.
+fn chop_section(name: &str) -> &'static str {
+    if has_floor(name) { "[machine]\nfeed_floor = \"chop\"\n" } else { "" }
+}
+
+/// A spec of the small star that the profile `name` can run.
+fn star_text(name: &str) -> String {
+    spec_text(chop_section(name))
+}
+
+/// The small star on the profile `name`.
+fn star(name: &str) -> Built {
+    built(&star_text(name), profile(name))
+}
+
+/// The program `code` as the controller of `machine` reads it.
+fn read_for(machine: &Machine, code: &str) -> Program {
+    read_program(code, Reader::for_controller(&machine.controller))
+}
+
 /// A build for any machine, from a spec whose profile is a file of the user's own.
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
+    try_built_with(spec_text, machine_text, &KindRequest::default())
+}
+
+/// A build of the files of `request`, as by [`try_built`].
+fn try_built_with(spec_text: &str, machine_text: &str, request: &KindRequest) -> Result<Built, Refusals> {
     let section = "[machine]\nprofile = \"own.toml\"\n";
     let spec_text = match spec_text.split_once("[machine]\n") {
         Some((before, after)) => format!("{before}{section}{after}"),
         None => format!("{spec_text}{section}"),
     };
     let sources = Sources { spec: &spec_text, machine: machine_text };
-    build(&spec(&spec_text), &machine(machine_text), sources, &KindRequest::default())
+    build(&spec(&spec_text), &machine(machine_text), sources, request)
 }
 
 fn built(spec_text: &str, machine_text: &str) -> Built {
@@ -124,6 +162,32 @@ fn text(build: &Built, name: &str) -> String {
     let name = actual_name(build, name);
     let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect("it");
     String::from_utf8(artifact.bytes.clone()).expect("text")
+}
+
+/// The program of `lines`, whose last line counts them.
+fn recounted(lines: &[impl AsRef<str>]) -> String {
+    let (last, body) = lines.split_last().expect("lines");
+    let (mark, count) = last.as_ref().split_once("end of program").expect("a last line");
+    let close = if count.ends_with(')') { ")" } else { "" };
+    let mut text = String::new();
+    for line in body {
+        text += line.as_ref();
+        text.push('\n');
+    }
+    text + &format!("{mark}end of program, {} lines{close}\n", lines.len())
+}
+
+/// The findings after `change` of the lines of the program `name`, whose last line counts them; all are in that file.
+fn findings_after(build: &Built, name: &str, change: impl FnOnce(&mut Vec<String>)) -> Vec<Finding> {
+    let good = text(build, name);
+    let mut lines: Vec<String> = good.lines().map(str::to_owned).collect();
+    change(&mut lines);
+    let bad = recounted(&lines);
+    assert!(bad != good, "{name}: the change changes nothing");
+    let findings = findings_with(build, name, &bad);
+    let file = actual_name(build, name);
+    assert!(findings.iter().all(|finding| finding.file == file), "{findings:#?}");
+    findings
 }
 
 /// The findings in a build with `text` in the file `name`; its hash and size are corrected.

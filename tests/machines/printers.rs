@@ -1,29 +1,23 @@
 //! Printers that home themselves: their programs count in the machine's coordinates, and mean the sheet's.
 
 use stargrip_cam::artifact::{Kind, KindRequest};
-use stargrip_cam::pipeline::{Built, Sources, build, read_back};
+use stargrip_cam::geom::{Point, Vec2};
+use stargrip_cam::pipeline::{Built, read_back};
 use stargrip_cam::resume::{ResumeAt, clamp_in_the_way, resume};
-use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
+use stargrip_cam::spec::KeepOut;
+use stargrip_cam::spec::units::Length;
+use stargrip_cam::verify::gcode::Move;
 
-use crate::{PRINTERS, findings_with, has_floor, machine, profile, spec, spec_text, text, try_built};
+use crate::{
+    PRINTERS, findings_with, machine, profile, read_for, star_text, text, try_built, try_built_with,
+};
 
 const SEAL: &str = "star-1-seal.gcode";
 
-/// The design, chopped where the profile `name` needs it.
-fn design(name: &str) -> String {
-    spec_text(if has_floor(name) { "[machine]\nfeed_floor = \"chop\"\n" } else { "" })
-}
-
 /// The seal and its preview alone, for the profile `machine_text`.
 fn built_for(name: &str, machine_text: &str) -> Built {
-    let design = design(name);
-    let design = match design.split_once("[machine]\n") {
-        Some((before, after)) => format!("{before}[machine]\nprofile = \"own.toml\"\n{after}"),
-        None => format!("{design}[machine]\nprofile = \"own.toml\"\n"),
-    };
-    let sources = Sources { spec: &design, machine: machine_text };
     let request = KindRequest::exactly(&[Kind::SealGcode, Kind::PreviewSvg]);
-    build(&spec(&design), &machine(machine_text), sources, &request)
+    try_built_with(&star_text(name), machine_text, &request)
         .unwrap_or_else(|refusals| panic!("{name}: {refusals:?}"))
 }
 
@@ -33,9 +27,15 @@ fn changed(name: &str, old: &str, new: &str) -> String {
     profile(name).replacen(old, new, 1)
 }
 
+/// A clamp of 100 x 100 mm around `middle`.
+fn clamp(middle: Point) -> KeepOut {
+    let [x, y, side] = [middle.x - 50.0, middle.y - 50.0, 100.0].map(Length);
+    KeepOut { name: "vice".to_owned(), x, y, width: side, depth: side, height: None }
+}
+
 /// The moves of a program in the sheet's frame.
 fn moves(machine_text: &str, program: &str) -> Vec<Move> {
-    let read = read_program(program, Dialect::for_controller(&machine(machine_text).controller));
+    let read = read_for(&machine(machine_text), program);
     assert_eq!(read.findings, []);
     read.moves
 }
@@ -64,7 +64,13 @@ fn programs_of_printers_that_home_are_proven_and_resumed() {
             );
             assert!(rest.text.contains("\nG28\n"), "{name}");
         }
-        assert_eq!(clamp_in_the_way(&code, &[]), Ok(None), "{name}");
+        // Clamps lie in the sheet's frame: on the star's middle, and 200 mm to the right of it.
+        let middle = build.forecast.design.placed()[0].placement.point(Point::ORIGIN);
+        for (shift, is_met) in [(0.0, true), (200.0, false)] {
+            let findings =
+                clamp_in_the_way(&code, &[clamp(middle + Vec2::new(shift, 0.0))]).expect("our file");
+            assert_eq!(findings.map(|finding| finding.code), is_met.then_some("clamp-in-the-way"), "{name}");
+        }
     }
 }
 
@@ -103,7 +109,7 @@ fn a_place_moves_every_position_and_nothing_else() {
 fn the_sheet_must_fit_beyond_its_corner() {
     let codes = |x: &str| {
         let shifted = changed("ender", "x = \"20 mm\"", &format!("x = \"{x}\""));
-        try_built(&design("ender"), &shifted).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
+        try_built(&star_text("ender"), &shifted).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
     };
     assert_eq!((codes("20 mm"), codes("70 mm")), (Ok(()), Ok(())));
     assert_eq!(codes("90 mm"), Err("out-of-reach".to_owned()));
@@ -118,7 +124,7 @@ fn a_contact_below_zero_needs_its_endstops_off() {
     let codes = |surface: &str, start: &str| {
         let text = changed("ender", "surface = \"1 mm\"", &format!("surface = \"{surface}\""));
         let text = text.replacen("\"G28\", ", start, 1);
-        try_built(&design("ender"), &text).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
+        try_built(&star_text("ender"), &text).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
     };
     assert_eq!(codes("0.3 mm", "\"G28\", "), Ok(()));
     assert_eq!(codes("0.29 mm", "\"G28\", "), Err("deep-contact".to_owned()));

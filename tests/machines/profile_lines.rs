@@ -5,7 +5,9 @@ use stargrip_cam::pipeline::{Sources, build};
 use stargrip_cam::spec::DialectFamily;
 use stargrip_cam::verify::Finding;
 
-use crate::{PROFILES, built, findings_with, is_printer, profile, profiles_of, spec_text, text};
+use crate::{
+    PROFILES, built, findings_after, findings_with, is_printer, profile, profiles_of, spec_text, star,
+};
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
@@ -34,25 +36,9 @@ fn place(lines: &[String], at: At) -> usize {
     .expect("such a line")
 }
 
-/// The program with the correct number of lines in its last line.
-fn counted(lines: &[String]) -> String {
-    let body = lines[..lines.len() - 1].join("\n");
-    format!("{body}\n; end of program, {} lines\n", lines.len())
-}
-
-fn chop(name: &str) -> &'static str {
-    if crate::has_floor(name) { "[machine]\nfeed_floor = \"chop\"\n" } else { "" }
-}
-
 /// The findings after `change` of the lines of `file`.
-fn after(name: &str, file: &str, change: impl Fn(&mut Vec<String>)) -> Vec<Finding> {
-    let build = built(&spec_text(chop(name)), profile(name));
-    let good = text(&build, file);
-    let mut lines: Vec<String> = good.lines().map(str::to_owned).collect();
-    change(&mut lines);
-    let bad = counted(&lines);
-    assert_ne!(bad, good, "{name}: nothing was changed");
-    findings_with(&build, file, &bad)
+fn after(name: &str, file: &str, change: impl FnOnce(&mut Vec<String>)) -> Vec<Finding> {
+    findings_after(&star(name), file, change)
 }
 
 #[track_caller]

@@ -7,20 +7,18 @@ use stargrip_cam::pipeline::read_back;
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
 use stargrip_cam::spec::DialectFamily;
 use stargrip_cam::verify::follow;
-use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
+use stargrip_cam::verify::gcode::Move;
 
-use crate::{PROFILES, built, machine, profile, profiles_of, spec_text, text};
+use crate::{PROFILES, built, machine, profile, profiles_of, read_for, recounted, spec_text, star, text};
 
 const FILE: &str = "star-1-seal.gcode";
 
 fn job(name: &str) -> String {
-    let chop = crate::has_floor(name);
-    let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-    text(&built(&spec_text(rest), profile(name)), FILE)
+    text(&star(name), FILE)
 }
 
 fn moves(name: &str, text: &str) -> Vec<Move> {
-    let program = read_program(text, Dialect::for_controller(&machine(profile(name)).controller));
+    let program = read_for(&machine(profile(name)), text);
     assert_eq!(program.findings, [], "{name}");
     program.moves
 }
@@ -193,10 +191,7 @@ fn the_way_back_is_timed_as_the_rest() {
         assert!(count > 50 && others < 5, "{name}: {others} of {count}");
         // An older program does not state its controller's steps: it is resumed all the same.
         let old: Vec<&str> = job.lines().filter(|line| !line.starts_with("; chop-st")).collect();
-        let (last, rest) = old.split_last().expect("lines");
-        let count = format!("; end of program, {} lines", rest.len() + 1);
-        assert!(last.starts_with("; end of program"));
-        assert!(resume(&format!("{}\n{count}\n", rest.join("\n")), ResumeAt::Share(0.5), None).is_ok());
+        assert!(resume(&recounted(&old), ResumeAt::Share(0.5), None).is_ok());
     }
 }
 
@@ -388,9 +383,7 @@ fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
     let mut lines: Vec<&str> = job.lines().collect();
     let at = lines.iter().position(|text| text.starts_with(before)).expect(before);
     lines.insert(at, line);
-    let count = format!("; end of program, {} lines", lines.len());
-    *lines.last_mut().expect("lines") = &count;
-    (lines.join("\n") + "\n", at + 1)
+    (recounted(&lines), at + 1)
 }
 
 #[test]

@@ -28,7 +28,7 @@ use stargrip_cam::resume::{ResumeAt, resume};
 
 use self::controller::{BOARDS, Motors, run, run_marlin};
 use self::judge::{OTHER_VERSION, deviations_within};
-use self::programs::{DIALECTS, PRINTERS, coupon_programs, feed_check, machine, seals, spec};
+use self::programs::{all_profiles, coupon_programs, feed_check, machine, seals, spec};
 use self::text::Text;
 
 /// Tolerance of the time of a resumed program, as a part of it.
@@ -53,7 +53,7 @@ pub(crate) fn own_motors(dialect: &str) -> Motors {
 /// Mean speed, windows and total time of all seals, in every dialect.
 #[test]
 fn every_program_runs_as_its_controller_was_told() {
-    for dialect in DIALECTS.into_iter().chain(PRINTERS) {
+    for dialect in all_profiles() {
         let motors = own_motors(dialect);
         let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
         let mut all = seals(&spec, &machine).0;
@@ -75,7 +75,7 @@ fn every_program_runs_as_its_controller_was_told() {
 /// The last minutes of a job: the travel from the sheet's corner to the seam is a large part of them.
 #[test]
 fn the_rest_of_a_job_takes_as_long_as_it_states() {
-    for dialect in DIALECTS.into_iter().chain(PRINTERS) {
+    for dialect in all_profiles() {
         let motors = own_motors(dialect);
         let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
         let (name, code) = seals(&spec, &machine).0.swap_remove(0);
@@ -94,7 +94,7 @@ fn the_rest_of_a_job_takes_as_long_as_it_states() {
 /// A trace states no total to compare with; none of its paths is slow.
 #[test]
 fn traces_travel_and_do_not_crawl() {
-    for dialect in DIALECTS.into_iter().chain(PRINTERS) {
+    for dialect in all_profiles() {
         let motors = Motors { acceleration: 1000.0, steps_per_mm: 80.0 };
         let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
         for (name, code) in seals(&spec, &machine).1 {

@@ -14,7 +14,7 @@ use super::marlin::Version;
 pub(crate) type Named = (String, String);
 
 /// Every dialect with a profile, and whether its controller has a lowest step rate.
-pub(crate) use crate::{PRINTERS, PROFILES as DIALECTS, has_floor};
+pub(crate) use crate::{PROFILES as DIALECTS, all_profiles, chop_section, has_floor};
 
 /// The built-in profile, on a machine with these motors.
 pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
@@ -57,8 +57,9 @@ fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {
 
 /// The spec `text`, chopped where the controller needs it.
 pub(crate) fn spec(dialect: &str, text: &str) -> Spec {
-    let chop = if has_floor(dialect) { "\n[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-    read(&Source::new("spec", format!("{text}{chop}"))).unwrap_or_else(|faults| panic!("{faults}")).spec
+    read(&Source::new("spec", format!("{text}\n{}", chop_section(dialect))))
+        .unwrap_or_else(|faults| panic!("{faults}"))
+        .spec
 }
 
 /// The sealing programs, and the traces.
