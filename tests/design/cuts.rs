@@ -1,35 +1,42 @@
 //! The program that cuts the sheet after the seal: for every tool and dialect, proven from its file against the outline.
 
 use stargrip_cam::artifact::{Kind, KindRequest};
-use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::{self, Built, Sources, read_back};
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
-use stargrip_cam::spec::{self, Code, Machine, Source};
-use stargrip_cam::verify::{Finding, OutputFiles};
+use stargrip_cam::spec::{self, Code, Machine};
+use stargrip_cam::verify::Finding;
+
+use crate::support::{files_of, read, replace, reseal};
 
 const HOT: &str = "tool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"10 mm/s\"\nheight = \"-1 mm\"\n";
 const KNIFE: &str =
     "tool = \"drag-knife\"\nblade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n";
 
-const PROFILES: [&str; 8] =
-    ["generic", "grbl", "grblhal", "fluidnc", "linuxcnc", "marlin", "klipper", "reprapfirmware"];
+const PROFILES: [&str; 9] =
+    ["generic", "grbl", "grblhal", "fluidnc", "linuxcnc", "marlin", "klipper", "reprapfirmware", "bambu"];
 
-/// Two stars whose sheet is cut by the keys `cut`, for `profile`.
+/// The stars of the sheet for `profile`: two, or a small one on a printer.
+fn star_count(profile: &str) -> usize {
+    if profile == "bambu" { 1 } else { 2 }
+}
+
+/// Stars whose sheet is cut by the keys `cut`, for `profile`.
 fn text(profile: &str, cut: &str, kerf: &str) -> String {
+    let count = star_count(profile);
+    let [radius, width] = if count == 1 { [26, 16] } else { [40, 24] };
     format!(
-        "schema = 1\nname = \"cut\"\n[star]\npoints = 5\ninner_radius = \"40 mm\"\ntube_width = \"24 mm\"\n\
-         tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"10 mm/s\"\n[cut]\nkerf = {kerf:?}\n{cut}\
+        "schema = 1\nname = \"cut\"\n[star]\npoints = 5\ninner_radius = \"{radius} mm\"\ntube_width = \"{width} mm\"\n\
+         tip_angle = \"30 deg\"\n[stack]\ncount = {count}\n[seal]\nspeed = \"10 mm/s\"\n[cut]\nkerf = {kerf:?}\n{cut}\
          [machine]\nprofile = {profile:?}\n[inlet]\nnone = true\n"
     )
 }
 
 fn built_for(profile: &str, cut: &str, kerf: &str) -> Result<Built, Vec<&'static str>> {
     let toml = text(profile, cut, kerf);
-    let spec = spec::read(&Source::new("cut", toml.clone())).unwrap_or_else(|faults| panic!("{faults}")).spec;
     let machine = Machine::builtin(profile).expect("built in");
     let sources = Sources { spec: &toml, machine: spec::builtin_machine(profile).expect("built in") };
     let request = KindRequest::exactly(&[Kind::CutGcode, Kind::OutlineSvg]);
-    pipeline::build(&spec, &machine, sources, &request)
+    pipeline::build(&read(&toml), &machine, sources, &request)
         .map_err(|refusals| refusals.iter().map(|refusal| refusal.code.as_str()).collect())
 }
 
@@ -48,28 +55,15 @@ fn findings_of(build: &Built, text: &str) -> Vec<Finding> {
     let (name, _) = program(build);
     let lines: Vec<&str> = text.lines().filter(|line| !line.contains("end of program, ")).collect();
     let text = format!("{}\n; end of program, {} lines\n", lines.join("\n"), lines.len() + 1);
-    let mut files: Vec<(String, Vec<u8>)> =
-        build.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
-    for (file, bytes) in &mut files {
-        if *file == name {
-            *bytes = text.clone().into_bytes();
-        } else if file == MANIFEST {
-            let mut manifest: Manifest = serde_json::from_slice(bytes).expect("JSON");
-            let entry = manifest.files.iter_mut().find(|entry| entry.path == name).expect("an entry");
-            (entry.bytes, entry.sha256) = (text.len(), sha256(text.as_bytes()));
-            *bytes = manifest.to_json();
-        }
-    }
-    let files = files.into_iter().map(|(name, bytes)| (name.into(), bytes.into())).collect();
-    read_back(&OutputFiles { files, ..OutputFiles::default() }).findings
+    let mut files = files_of(build);
+    replace(&mut files, &name, text.into_bytes());
+    reseal(&mut files);
+    read_back(&files).findings
 }
 
-/// The codes of these findings, each once.
+/// The codes of these findings.
 fn codes(findings: &[Finding]) -> Vec<&'static str> {
-    let mut codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
-    codes.sort_unstable();
-    codes.dedup();
-    codes
+    findings.iter().map(|finding| finding.code).collect()
 }
 
 /// `text` with every word of `letter` changed.
@@ -88,14 +82,51 @@ fn changed(text: &str, letter: char, change: impl Fn(f64) -> f64) -> String {
     text.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
+/// The lines of the third cut, a registration hole.
+fn third_cut(text: &str) -> &str {
+    let (_, tail) = text.split_once("; cut: cut=3 ").expect("a hole");
+    tail.split_once("; cut: cut=4 ").expect("the next").0
+}
+
+/// The cut `text` on the other side of its edge: its distance from `outline`, the cut without a kerf, has the other sign.
+fn on_other_side(text: &str, outline: &str) -> String {
+    assert_eq!(text.lines().count(), outline.lines().count());
+    let mut mirrored = String::new();
+    for (line, middle) in text.lines().zip(outline.lines()) {
+        if line.starts_with('G') {
+            let words = line.split(' ').zip(middle.split(' '));
+            mirrored +=
+                &words.map(|(word, middle)| mirrored_word(word, middle)).collect::<Vec<_>>().join(" ");
+        } else {
+            mirrored += line;
+        }
+        mirrored.push('\n');
+    }
+    mirrored
+}
+
+/// The coordinate `word` as far beyond that of the word `middle` as it lies before it; another word as it is.
+fn mirrored_word(word: &str, middle: &str) -> String {
+    let [number, middle] = [word, middle].map(|word| word.get(1..).and_then(|text| text.parse::<f64>().ok()));
+    match (word.chars().next(), number, middle) {
+        (Some(letter @ ('X' | 'Y' | 'I' | 'J')), Some(number), Some(middle)) => {
+            format!("{letter}{:.4}", 2.0 * middle - number)
+        }
+        _ => word.to_owned(),
+    }
+}
+
 #[test]
 fn every_dialect_cuts_along_the_outline_with_every_tool() {
     for profile in PROFILES {
+        let count = star_count(profile);
+        // Two stars have more than a metre of cuts.
+        let [length, time] = [500.0, 50.0].map(|bound| if count == 1 { bound } else { 2.0 * bound });
         for cut in [HOT, KNIFE] {
             let build = built(profile, cut);
             let (name, text) = program(&build);
             assert_eq!(findings_of(&build, &text), [], "{profile}: {name}");
-            // Two stars: three registration holes each, a hole each, and then both outlines.
+            // Three registration holes of each star, a hole of each, and then all outlines.
             let edges: Vec<&str> = text
                 .lines()
                 .filter(|line| line.starts_with("; cut: "))
@@ -104,11 +135,12 @@ fn every_dialect_cuts_along_the_outline_with_every_tool() {
             let kinds: Vec<&str> =
                 edges.iter().filter_map(|edge| edge.rsplit_once('-')).map(|(kind, _)| kind).collect();
             let expected =
-                [["edge=registration"; 6].as_slice(), &["edge=cut-hole"; 2], &["edge=cut-outside"; 2]]
+                [("edge=registration", 3 * count), ("edge=cut-hole", count), ("edge=cut-outside", count)]
+                    .map(|(kind, number)| vec![kind; number])
                     .concat();
             assert_eq!(kinds, expected, "{profile}");
             let cuts = &build.manifest.cuts;
-            assert!(cuts.len() == 1 && cuts[0].length_mm > 1000.0 && cuts[0].time_s > 100.0, "{cuts:?}");
+            assert!(cuts.len() == 1 && cuts[0].length_mm > length && cuts[0].time_s > time, "{cuts:?}");
             assert!(matches!(resume(&text, ResumeAt::Share(0.5), None), Err(ResumeFault::Cut)));
         }
     }
@@ -125,9 +157,8 @@ fn a_wrong_cut_is_found_by_code() {
             assert!(codes(&findings).contains(&code), "{what}: {code} is not among {:?}", codes(&findings));
         };
         assert_code(&changed(&text, 'X', |x| if x == 0.0 { 0.0 } else { x + 0.05 }), "deviation", "shifted");
-        let (head, tail) = text.split_once("; cut: cut=3 ").expect("a hole");
-        let rest = tail.split_once("; cut: cut=4 ").expect("the next").1;
-        assert_code(&format!("{head}; cut: cut=4 {rest}"), "missing-seam", "a missing hole");
+        let missing_hole = text.replacen(&format!("; cut: cut=3 {}", third_cut(&text)), "", 1);
+        assert_code(&missing_hole, "missing-seam", "a missing hole");
         let height = if cut == HOT { -1.0 } else { -0.8 };
         assert_code(&changed(&text, 'Z', |z| if z == height { z - 0.5 } else { z }), "too-deep", "too deep");
         let shallow = findings_of(&build, &changed(&text, 'Z', |z| if z == height { -0.2 } else { z }));
@@ -135,6 +166,10 @@ fn a_wrong_cut_is_found_by_code() {
         // The way of a tool that takes nothing away, in the place of one that takes away 0.4 mm.
         let findings = findings_of(&build, &program(&built_for("linuxcnc", cut, "0 mm").expect("a build")).1);
         assert!(codes(&findings).contains(&"deviation"), "another kerf: {:?}", codes(&findings));
+        let outline = program(&built_for("linuxcnc", cut, "0 mm").expect("a build")).1;
+        let other_side = on_other_side(third_cut(&text), third_cut(&outline));
+        let other_side = text.replacen(third_cut(&text), &other_side, 1);
+        assert_code(&other_side, "deviation", "the kerf on the other side");
         assert_code(&text.replacen("M0\n", "", 1), "profile-line", "no pause for the tool");
         assert_code(&changed(&text, 'F', |f| f * 1.5), "wrong-feed", "too fast");
     }
@@ -154,6 +189,7 @@ fn a_cut_that_cannot_be_made_is_refused_with_its_key() {
         ("generic", HOT.replace("-1 mm", "-0.3 mm"), "shallow-cut"),
         ("generic", KNIFE.replace("-0.8 mm", "0 mm"), "shallow-cut"),
         ("grbl", HOT.replace("10 mm/s", "0.1 mm/s"), "feed-floor"),
+        ("generic", format!("{KNIFE}[sheet]\nhole_diameter = \"0.9 mm\"\n"), "tight-cut"),
     ] {
         let codes = built_for(profile, &cut, "0.4 mm").map(|_| ()).expect_err("refused");
         assert_eq!(codes, [code], "{profile}: {cut}");

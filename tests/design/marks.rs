@@ -3,21 +3,18 @@
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::{AlignmentFault, Design};
 use stargrip_cam::geom::{Isometry, Point, Vec2};
-use stargrip_cam::manifest::{MANIFEST, Manifest};
+use stargrip_cam::manifest::MANIFEST;
 use stargrip_cam::pipeline::{self, AlignedFault, Built, Sources, align, prove_files, read_back};
-use stargrip_cam::spec::{self, Machine, Source, Spec};
-use stargrip_cam::verify::OutputFiles;
+use stargrip_cam::spec::{self, Machine, Source};
+
+use crate::support::{files_of, read, replace};
 
 const TEXT: &str = "schema = 1\nname = \"marked\"\n[star]\npoints = 5\ninner_radius = \"40 mm\"\ntube_width = \"24 mm\"\n\
     tip_angle = \"30 deg\"\n[stack]\ncount = 2\n[seal]\nspeed = \"10 mm/s\"\n[cut]\ntool = \"drag-knife\"\n\
     blade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n[machine]\nmarks = \"pause\"\n";
 
-fn spec_of(text: &str) -> Spec {
-    spec::read(&Source::new("marked", text)).unwrap_or_else(|faults| panic!("{faults}")).spec
-}
-
 fn built(text: &str) -> Built {
-    let spec = spec_of(text);
+    let spec = read(text);
     let machine = Machine::builtin(&spec.machine.profile).expect("built in");
     let sources =
         Sources { spec: text, machine: spec::builtin_machine(&spec.machine.profile).expect("built in") };
@@ -25,13 +22,8 @@ fn built(text: &str) -> Built {
         .unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
-fn files_of(build: &Built) -> OutputFiles<'static> {
-    let files = build.files().map(|(name, bytes)| (name.to_owned().into(), bytes.into_owned().into()));
-    OutputFiles { files: files.collect(), ..OutputFiles::default() }
-}
-
 fn design_of(text: &str) -> Design {
-    let spec = spec_of(text);
+    let spec = read(text);
     let machine = Machine::builtin(&spec.machine.profile).expect("built in");
     Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"))
 }
@@ -44,8 +36,14 @@ fn measured(design: &Design, degrees: f64, shift: Vec2) -> [Point; 2] {
 
 #[test]
 fn trace_and_seal_stop_above_both_marks() {
-    for profile in ["generic", "grbl", "linuxcnc", "marlin", "klipper", "reprapfirmware"] {
-        let build = built(&format!("{TEXT}profile = {profile:?}\n"));
+    for profile in ["generic", "grbl", "linuxcnc", "marlin", "klipper", "reprapfirmware", "bambu"] {
+        // Two of these stars do not fit a printer.
+        let text = if profile == "bambu" {
+            TEXT.replace("40 mm", "26 mm").replace("24 mm", "16 mm").replace("= 2", "= 1")
+        } else {
+            TEXT.to_owned()
+        };
+        let build = built(&format!("{text}profile = {profile:?}\n"));
         assert_eq!(read_back(&files_of(&build)).findings, [], "{profile}");
         for file in &build.artifacts {
             let kind = file.output.kind;
@@ -78,14 +76,10 @@ fn programs_for_a_moved_sheet_are_proven_where_it_lies() {
         assert_eq!(prove_files(&moved_files).findings, []);
         // The manifest states another place: no program is there.
         let mut elsewhere = moved_files.clone();
-        for (name, bytes) in &mut elsewhere.files {
-            if name == MANIFEST {
-                let mut manifest: Manifest = serde_json::from_slice(bytes).expect("JSON");
-                let aligned = manifest.aligned.as_mut().expect("one");
-                (aligned.mark1[0], aligned.mark2[0]) = (aligned.mark1[0] + 0.05, aligned.mark2[0] + 0.05);
-                *bytes = manifest.to_json().into();
-            }
-        }
+        let mut manifest = moved.manifest.clone();
+        let aligned = manifest.aligned.as_mut().expect("one");
+        (aligned.mark1[0], aligned.mark2[0]) = (aligned.mark1[0] + 0.05, aligned.mark2[0] + 0.05);
+        replace(&mut elsewhere, MANIFEST, manifest.to_json());
         let codes: Vec<&str> = read_back(&elsewhere).findings.iter().map(|finding| finding.code).collect();
         assert!(codes.contains(&"deviation") && codes.contains(&"missing-mark"), "{codes:?}");
         assert!(matches!(align(&moved_files, None, marks), Err(AlignedFault::Twice)));
@@ -122,7 +116,7 @@ fn marks_that_cannot_be_those_of_the_sheet_are_refused() {
 #[test]
 fn a_sheet_beyond_the_work_area_is_refused() {
     let text = TEXT.replace("[machine]\n", "[sheet]\nmargin = \"1 mm\"\n[machine]\nprofile = \"own.toml\"\n");
-    let (spec, design) = (spec_of(&text), design_of(TEXT));
+    let (spec, design) = (read(&text), design_of(TEXT));
     let size = design.sheets[0];
     let generic = spec::builtin_machine("generic").expect("built in");
     let reach = |axis: &str, mm: f64| (format!("{axis} = \"unknown\""), format!("{axis} = \"{mm} mm\""));

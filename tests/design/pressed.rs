@@ -4,10 +4,11 @@ use stargrip_cam::artifact::{Format, Kind, KindRequest};
 use stargrip_cam::design::{CutEdge, Design, Drawing, Layer, PressPlan, Refusals, Shape};
 use stargrip_cam::emit;
 use stargrip_cam::geom::{Isometry, Path, Vec2};
-use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::{self, Built, Sources, read_back};
 use stargrip_cam::spec::{self, Machine, Source, Spec};
-use stargrip_cam::verify::{Finding, OutputFiles};
+use stargrip_cam::verify::Finding;
+
+use crate::support::{files_of, replace, reseal};
 
 /// Two equal stars for a press.
 const STARS: &str = "schema = 1\nname = \"pressed\"\n[star]\npoints = 5\ninner_radius = \"40 mm\"\n\
@@ -37,11 +38,6 @@ fn built(text: &str, drawing: &str) -> Built {
         .unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
-fn files_of(build: &Built) -> OutputFiles<'static> {
-    let files = build.files().map(|(name, bytes)| (name.to_owned().into(), bytes.into_owned().into()));
-    OutputFiles { files: files.collect(), ..OutputFiles::default() }
-}
-
 /// The findings in the first sheet of separators after `change` of its layers, with a manifest that agrees.
 fn mutated(text: &str, drawing: &str, change: impl Fn(&mut Vec<(Layer, Vec<Shape>)>)) -> Vec<Finding> {
     let build = built(text, drawing);
@@ -52,16 +48,8 @@ fn mutated(text: &str, drawing: &str, change: impl Fn(&mut Vec<(Layer, Vec<Shape
     let output = build.artifacts.iter().find(|file| file.name == name).expect("a file").output;
     let svg = emit::svg(&output.title(&spec.name), &paper, spec.accuracy.path, spec.cut.colours);
     let mut files = files_of(&build);
-    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
-    let entry = manifest.files.iter_mut().find(|entry| entry.path == name).expect("an entry");
-    (entry.bytes, entry.sha256) = (svg.len(), sha256(svg.as_bytes()));
-    for (file, bytes) in &mut files.files {
-        if file == name {
-            *bytes = svg.clone().into_bytes().into();
-        } else if file == MANIFEST {
-            *bytes = manifest.to_json().into();
-        }
-    }
+    replace(&mut files, name, svg.into_bytes());
+    reseal(&mut files);
     read_back(&files).findings
 }
 

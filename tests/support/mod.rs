@@ -12,8 +12,10 @@ use proptest::prelude::*;
 
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
+use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
+use stargrip_cam::verify::OutputFiles;
 use stargrip_cam::{pipeline, spec};
 
 /// A star that exists, by its arm length instead of its inner radius; lengths in mm, angles in deg.
@@ -88,6 +90,28 @@ pub fn build_with(text: &str, extras: &[Kind]) -> Built {
     let request = KindRequest { with: extras.to_vec(), ..KindRequest::default() };
     pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &request)
         .expect("a design")
+}
+
+/// The files of `build`, to be changed.
+pub fn files_of(build: &Built) -> OutputFiles<'static> {
+    let files = build.files().map(|(name, bytes)| (name.to_owned().into(), bytes.into_owned().into()));
+    OutputFiles { files: files.collect(), ..OutputFiles::default() }
+}
+
+/// Gives the file `name` other bytes.
+pub fn replace(files: &mut OutputFiles<'static>, name: &str, bytes: Vec<u8>) {
+    let entry = files.files.iter_mut().find(|(file, _)| file == name).expect("a file");
+    entry.1 = bytes.into();
+}
+
+/// Makes the manifest agree with the files.
+pub fn reseal(files: &mut OutputFiles<'static>) {
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+    for entry in &mut manifest.files {
+        let bytes = files.get(&entry.path).expect("a file");
+        (entry.bytes, entry.sha256) = (bytes.len(), sha256(bytes));
+    }
+    replace(files, MANIFEST, manifest.to_json());
 }
 
 /// The paper's five-point star.

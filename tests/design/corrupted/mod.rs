@@ -7,14 +7,12 @@ mod directory;
 mod drawings;
 mod programs;
 
-use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
-use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::verify::{Finding, OutputFiles};
 
-use crate::support;
+use crate::support::{self, files_of, replace, reseal};
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
@@ -24,29 +22,11 @@ fn output_files() -> OutputFiles<'static> {
 }
 
 fn archive_of(text: &str) -> OutputFiles<'static> {
-    let build = support::build(text).expect("a gripper");
-    let owned_file =
-        |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
-    OutputFiles { files: build.files().map(owned_file).collect(), ..OutputFiles::default() }
+    files_of(&support::build(text).expect("a gripper"))
 }
 
 fn text(files: &OutputFiles<'_>, file: &str) -> String {
     String::from_utf8(files.get(file).expect("a file").to_vec()).expect("text")
-}
-
-fn replace(files: &mut OutputFiles<'static>, file: &str, bytes: Vec<u8>) {
-    let entry = files.files.iter_mut().find(|(name, _)| name == file).expect("a file");
-    entry.1 = bytes.into();
-}
-
-/// Makes the manifest agree with the files.
-fn reseal(files: &mut OutputFiles<'static>) {
-    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
-    for entry in &mut manifest.files {
-        let bytes = files.get(&entry.path).expect("a file");
-        (entry.bytes, entry.sha256) = (bytes.len(), sha256(bytes));
-    }
-    replace(files, MANIFEST, manifest.to_json());
 }
 
 /// The findings after `change` of `file`, with a manifest that agrees.
