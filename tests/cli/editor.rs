@@ -8,18 +8,11 @@ use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::support;
-use crate::support::program::{run, stderr, stdout, workshop};
+use crate::support::program::{done, run, run_with_settings, stderr, stdout, workshop};
 use stargrip_cam::design::RefusalCode;
 use stargrip_cam::pipeline::{CommandCode, PrecautionCode};
 use stargrip_cam::spec::{Code, FaultCode};
 use stargrip_cam::verify::FindingCode;
-
-#[track_caller]
-fn done(dir: &Path, args: &[&str]) -> String {
-    let output = run(dir, args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
-    stdout(&output)
-}
 
 /// Runs the program with `text` on its standard input, and the environment's directory for settings at `config`.
 fn fed(dir: &Path, text: &str, args: &[&str]) -> Output {
@@ -337,14 +330,9 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
     let dir = workshop();
     let config = dir.path().join("settings/stargrip-cam");
     fs::create_dir_all(&config).expect("made");
-    let told = |args: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
-        let settings = dir.path().join("settings");
-        command.current_dir(dir.path()).env("XDG_CONFIG_HOME", settings).args(args).output().expect("it runs")
-    };
     let sound = "[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n[sheet]\nwidth = \"400 mm\"\nheight = \"400 mm\"\n";
     fs::write(config.join("config.toml"), sound).expect("written");
-    assert_eq!(told(&["new", "mine"]).status.code(), Some(0));
+    assert_eq!(run_with_settings(dir.path(), &["new", "mine"]).status.code(), Some(0));
     let spec = fs::read_to_string(dir.path().join("mine.toml")).expect("written");
     assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\" "), "{spec}");
     // Without the defaults it has the same meaning.
@@ -355,12 +343,13 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
         (&"grbl".into(), &serde_json::json!([400.0, 400.0]))
     );
     let other: serde_json::Value =
-        serde_json::from_slice(&told(&["check", "star.toml", "--json"]).stdout).expect("JSON");
+        serde_json::from_slice(&run_with_settings(dir.path(), &["check", "star.toml", "--json"]).stdout)
+            .expect("JSON");
     assert_eq!(other["machine"], "generic");
     // A gripper for an object has the profile of the option, and its need of short moves.
     for (machine, is_chopped) in [("grbl", true), ("klipper", false), ("generic", false)] {
         let wish = ["new", machine, "--object", "75 mm", "--mass", "300 g", "--machine", machine];
-        let made = told(&wish);
+        let made = run_with_settings(dir.path(), &wish);
         assert_eq!(made.status.code(), Some(0), "{machine}: {}", stderr(&made));
         let spec = fs::read_to_string(dir.path().join(format!("{machine}.toml"))).expect("written");
         assert_eq!(spec.contains("feed_floor"), is_chopped, "{spec}");
@@ -368,20 +357,23 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
     let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90mm\" height=\"90mm\" viewBox=\"0 0 90 90\">\
                    <g id=\"air\"><circle cx=\"45\" cy=\"45\" r=\"30\"/></g></svg>";
     fs::write(dir.path().join("pillow.svg"), drawing).expect("written");
-    assert_eq!(told(&["new", "--drawing", "pillow.svg"]).status.code(), Some(0));
+    assert_eq!(run_with_settings(dir.path(), &["new", "--drawing", "pillow.svg"]).status.code(), Some(0));
     let spec = fs::read_to_string(dir.path().join("pillow.toml")).expect("written");
     assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\""), "{spec}");
     fs::remove_file(dir.path().join("star.toml")).expect("removed");
-    assert_eq!(told(&["new", "star", "--drawing", "pillow.svg"]).status.code(), Some(0));
+    assert_eq!(
+        run_with_settings(dir.path(), &["new", "star", "--drawing", "pillow.svg"]).status.code(),
+        Some(0)
+    );
     assert!(fs::read_to_string(dir.path().join("star.toml")).is_ok_and(|spec| spec.contains("pillow.svg")));
     fs::write(config.join("config.toml"), "[machine]\nprofile = \"grbll\"\n").expect("written");
     for args in [&["new", "other"][..], &["new", "other", "--drawing", "pillow.svg"]] {
-        let refused = told(args);
+        let refused = run_with_settings(dir.path(), args);
         assert!(stderr(&refused).contains("your defaults: \"grbll\" is not a machine profile"), "{args:?}");
         assert!(refused.status.code() == Some(1) && !dir.path().join("other.toml").exists(), "{args:?}");
     }
     fs::write(config.join("config.toml"), "[machin]\n").expect("written");
-    let refused = told(&["new", "other"]);
+    let refused = run_with_settings(dir.path(), &["new", "other"]);
     assert_eq!(refused.status.code(), Some(1));
     assert!(
         stderr(&refused).contains("did you mean [machine]?") && !dir.path().join("other.toml").exists(),

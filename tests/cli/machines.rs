@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
-use crate::support::program::{run, stderr, stdout, workshop};
+use crate::support::program::{done_silently, run, stderr, stdout, workshop};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -13,7 +13,7 @@ use crate::support;
 /// A workshop with the paper's star built in out/star.
 fn built() -> TempDir {
     let dir = workshop();
-    let _ = done(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode,trace-gcode"]);
+    let _ = done_silently(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode,trace-gcode"]);
     dir
 }
 
@@ -41,15 +41,6 @@ fn names(dir: &Path) -> Vec<String> {
     let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
     names.sort();
     names
-}
-
-/// Runs a command that must succeed with empty standard error; returns its standard output.
-#[track_caller]
-fn done(dir: &Path, args: &[&str]) -> String {
-    let output = run(dir, args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
-    assert_eq!(stderr(&output), "", "{args:?}");
-    stdout(&output)
 }
 
 fn json_of(text: &str) -> Value {
@@ -102,7 +93,7 @@ fn every_command_refuses_a_dangerous_line_of_the_profile() {
 #[test]
 fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();
-    let said = done(dir.path(), &["feedcheck", "star.toml"]);
+    let said = done_silently(dir.path(), &["feedcheck", "star.toml"]);
     assert!(
         said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s; if one took 96 s"),
         "{said}"
@@ -125,7 +116,9 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
         let _ = fails(dir.path(), &over, 1, &["star.toml exists and is not the program of a feed check"]);
         assert_eq!(read(dir.path(), "star.toml"), spec);
     }
-    assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));
+    assert!(
+        done_silently(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode")
+    );
     assert_eq!(read(dir.path(), "a b.gcode"), program);
     let _ =
         fails(dir.path(), &["feedcheck", "star.toml", "-o", "no/x.gcode"], 1, &["cannot write no/x.gcode"]);
@@ -139,11 +132,11 @@ fn a_profile_is_checked_without_a_spec() {
     let dir = workshop();
     let profile = support::generic();
     fs::write(dir.path().join("mine.toml"), profile).expect("written");
-    let answer = done(dir.path(), &["machines", "check", "mine.toml"]);
+    let answer = done_silently(dir.path(), &["machines", "check", "mine.toml"]);
     assert!(answer.contains("generic: sound") && answer.contains("[work_area] x, y"), "{answer}");
-    let answer = json_of(&done(dir.path(), &["machines", "check", "mine.toml", "--json"]));
+    let answer = json_of(&done_silently(dir.path(), &["machines", "check", "mine.toml", "--json"]));
     assert_eq!((&answer["dialect"], &answer["heated"]), (&"generic".into(), &"by hand".into()));
-    assert_eq!(done(dir.path(), &["machines", "check", "press", "-q"]), "");
+    assert_eq!(done_silently(dir.path(), &["machines", "check", "press", "-q"]), "");
     let faulty = profile
         .replacen("contact = \"-0.3 mm\"", "contact = \"5 mm\"", 1)
         .replacen("comments = \"semicolon\"", "comments = \"semi\"", 1)
@@ -175,7 +168,7 @@ fn a_feedcheck_that_took_another_time_names_the_key() {
         let chop = if chop { "feed_floor = \"chop\"\n" } else { "" };
         let spec = format!("{}[machine]\nprofile = \"{profile}\"\n{chop}", support::PAPER);
         fs::write(dir.path().join("timed.toml"), spec).expect("written");
-        let answer = done(dir.path(), &["feedcheck", "timed.toml", "--took", took, "--json"]);
+        let answer = done_silently(dir.path(), &["feedcheck", "timed.toml", "--took", took, "--json"]);
         assert_eq!(json_of(&answer)["key"], key, "{profile}, {took}: {answer}");
     }
     assert!(!dir.path().join("feedcheck.gcode").exists());
@@ -211,7 +204,7 @@ fn a_feed_check_keeps_off_clamps_and_within_the_work_area() {
     let dir = workshop_of(400, 400);
     let mine = read(dir.path(), "mine.toml");
     let profile = |text: String| fs::write(dir.path().join("mine.toml"), text).expect("written");
-    let _ = done(dir.path(), &["feedcheck", "star.toml"]);
+    let _ = done_silently(dir.path(), &["feedcheck", "star.toml"]);
     profile(mine.clone() + &clamp(5.0, 5.0, 20.0));
     let words = ["clamp-in-the-way", "of the feed check meets the clamp", "above 20 mm"];
     let output = fails(dir.path(), &["feedcheck", "star.toml", "--force"], 1, &words);
@@ -226,7 +219,7 @@ fn a_feed_check_keeps_off_clamps_and_within_the_work_area() {
     assert!(said.contains("clamp-in-the-way: found a move at Z5"), "{said}");
     // Below travel height it is in nothing's way.
     profile(mine.clone() + &clamp(5.0, 5.0, 4.0));
-    let _ = done(dir.path(), &["feedcheck", "star.toml", "--force"]);
+    let _ = done_silently(dir.path(), &["feedcheck", "star.toml", "--force"]);
     profile(mine.replace("400 mm", "9 mm"));
     let words = ["out-of-reach", "the feed check needs X 0.0 to 10.0 mm"];
     let _ = fails(dir.path(), &["feedcheck", "star.toml", "--force"], 1, &words);
@@ -240,10 +233,10 @@ fn resume_keeps_off_the_clamps_of_the_profile() {
     let clear = profile.replacen("y = \"1 mm\"\nwidth", "y = \"398 mm\"\nwidth", 1);
     assert!(clear != profile);
     fs::write(dir.path().join("mine.toml"), clear).expect("written");
-    let _ = done(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode"]);
+    let _ = done_silently(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode"]);
     let (job, rest) = ("out/star/star-1-seal.gcode", "rest.gcode");
     let resume = ["resume", job, "--at", "50%", "-o", rest];
-    let said = done(dir.path(), &resume);
+    let said = done_silently(dir.path(), &resume);
     assert!(said.contains("the job is unchanged"), "{said}");
     fs::remove_file(dir.path().join(rest)).expect("there");
     fs::write(dir.path().join("out/star/machine.toml"), &profile).expect("written");
@@ -255,7 +248,7 @@ fn resume_keeps_off_the_clamps_of_the_profile() {
     assert!(!dir.path().join(rest).exists());
     // As the remedy says.
     let _ = fs::copy(dir.path().join(job), dir.path().join("copy.gcode")).expect("copied");
-    let said = done(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
+    let said = done_silently(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
     assert!(said.contains("whether a clamp is in the way, is unknown"), "{said}");
 }
 
@@ -269,8 +262,8 @@ fn a_feed_check_is_proven_as_builds_are() {
             format!("{}[machine]\nprofile = \"{profile}\"\nfeed_floor = \"{floor}\"\n", support::PAPER);
         fs::write(dir.path().join("star.toml"), spec).expect("written");
         let name = format!("{profile}.gcode");
-        let _ = done(dir.path(), &["feedcheck", "star.toml", "-o", &name]);
-        assert!(done(dir.path(), &["verify", &name]).contains("proven, no findings"), "{profile}");
+        let _ = done_silently(dir.path(), &["feedcheck", "star.toml", "-o", &name]);
+        assert!(done_silently(dir.path(), &["verify", &name]).contains("proven, no findings"), "{profile}");
         let path = dir.path().join(&name);
         let good = fs::read_to_string(&path).expect("it");
         let pause = if profile == "klipper" { "PAUSE\n" } else { "M0\n" };
@@ -296,7 +289,7 @@ fn resume_goes_on_by_line_and_overwrites_nothing() {
     let line =
         1 + before.lines().position(|line| line.starts_with("G1") && line.contains("F6")).expect("a seal");
     let line = (line + 20).to_string();
-    let said = done(dir.path(), &["resume", job, "--line", &line]);
+    let said = done_silently(dir.path(), &["resume", job, "--line", &line]);
     let target = "out/star-star-1-seal-resume.gcode";
     assert!(said.contains(&format!("wrote {target}")) && said.contains("same zero"), "{said}");
     assert!(said.contains("the job is unchanged: its hash is the one in manifest.json"), "{said}");
@@ -305,7 +298,7 @@ fn resume_goes_on_by_line_and_overwrites_nothing() {
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
     let _ = fails(dir.path(), &["verify", job], 1, &["name the directory: out/star"]);
     // Neither the proof nor the next build is disturbed by it.
-    let _ = done(dir.path(), &["verify", "out/star"]);
+    let _ = done_silently(dir.path(), &["verify", "out/star"]);
 
     // Neither the default path nor a given one is overwritten.
     let _ = fails(dir.path(), &["resume", job, "--at", "50%"], 1, &["resume.gcode exists already"]);
@@ -324,7 +317,8 @@ fn resume_goes_on_by_share_by_time_and_by_place() {
     let dir = built();
     let job = "out/star/star-1-seal.gcode";
     let program = read(dir.path(), job);
-    let message = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
+    let message =
+        done_silently(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
     assert!(
         message.contains("37.0 % of the job's time") && message.contains("seals the last 2.0 mm again"),
         "{message}"
@@ -334,7 +328,7 @@ fn resume_goes_on_by_share_by_time_and_by_place() {
     let total = total.and_then(|rest| rest.split_whitespace().next());
     let minutes = 0.37 / 60.0 * total.and_then(|time| time.parse::<f64>().ok()).expect("a time");
     let time = format!("{} h {:.2} min", (minutes / 60.0).floor(), minutes % 60.0);
-    let message = done(dir.path(), &["resume", job, "--at", &time, "-o", "clock.gcode"]);
+    let message = done_silently(dir.path(), &["resume", job, "--at", &time, "-o", "clock.gcode"]);
     let share = message.split("after ").nth(1).and_then(|rest| rest.split_whitespace().next());
     let share: f64 = share.and_then(|share| share.parse().ok()).expect("a percentage");
     assert!((share - 37.0).abs() < 0.5, "{message}");
@@ -344,10 +338,10 @@ fn resume_goes_on_by_share_by_time_and_by_place() {
         word.expect("a coordinate")[1..].to_owned()
     };
     let place = format!("{} mm,{} mm", number('X'), number('Y'));
-    let message = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
+    let message = done_silently(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
     assert!(message.contains("wrote near.gcode"), "{message}");
     // A resumed program can be resumed, although no manifest names it.
-    let message = done(dir.path(), &["resume", "at.gcode", "--at", "50%"]);
+    let message = done_silently(dir.path(), &["resume", "at.gcode", "--at", "50%"]);
     assert!(
         dir.path().join("at-resume.gcode").exists() && message.contains("no manifest.json beside"),
         "{message}"
@@ -357,7 +351,7 @@ fn resume_goes_on_by_share_by_time_and_by_place() {
     {
         let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
         assert!(made.expect("mkfifo").success());
-        let message = done(dir.path(), &["resume", "at.gcode", "--at", "60%", "-o", "piped.gcode"]);
+        let message = done_silently(dir.path(), &["resume", "at.gcode", "--at", "60%", "-o", "piped.gcode"]);
         assert!(message.contains("no manifest.json beside"), "{message}");
     }
     // A job that differs from the manifest beside it is not resumed.
@@ -452,7 +446,7 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
 fn coupon_writes_programs_numbered_drawings_and_a_table() {
     let dir = workshop();
     let args = ["coupon", "star.toml", "--temperatures", "180 C,200 C", "--speeds", "0.5 mm/s"];
-    let said = done(dir.path(), &args);
+    let said = done_silently(dir.path(), &args);
     assert_eq!(
         names(&dir.path().join("coupons")),
         [
@@ -498,7 +492,7 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
     let before = names(&dir.path().join("coupons"));
     let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
     assert_eq!(names(&dir.path().join("coupons")), before);
-    let said = done(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
+    let said = done_silently(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
     for name in names(&dir.path().join("again")) {
         assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
     }
@@ -508,8 +502,10 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
 #[test]
 fn coupons_are_proven_as_builds_are() {
     let dir = workshop();
-    let said =
-        done(dir.path(), &["coupon", "star.toml", "--only", "disc,strips", "--speeds", "0.5 mm/s", "--json"]);
+    let said = done_silently(
+        dir.path(),
+        &["coupon", "star.toml", "--only", "disc,strips", "--speeds", "0.5 mm/s", "--json"],
+    );
     let json = json_of(&said);
     assert_eq!(json["programs"], serde_json::json!(["strips-200C-500um-s.gcode", "disc.gcode"]));
     assert_eq!(json["times"][1]["program"], "disc.gcode");
@@ -614,17 +610,17 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
 #[test]
 fn coupons_of_a_drawing_have_no_v_actuator() {
     let dir = workshop();
-    let _ = done(dir.path(), &["coupon", "star.toml", "-o", "stars", "--only", "v-actuator", "-q"]);
+    let _ = done_silently(dir.path(), &["coupon", "star.toml", "-o", "stars", "--only", "v-actuator", "-q"]);
     let cushion = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90mm\" height=\"90mm\" viewBox=\"0 0 90 90\">\
                    <g id=\"air\"><path d=\"M 20 20 H 70 V 70 H 20 Z\"/></g><g id=\"port\"><path d=\"M 16 45 H 24\"/></g></svg>";
     fs::write(dir.path().join("d.svg"), cushion).expect("written");
-    let _ = done(dir.path(), &["new", "d", "--drawing", "d.svg"]);
+    let _ = done_silently(dir.path(), &["new", "d", "--drawing", "d.svg"]);
     for only in ["v-actuator", "disc,v-actuator"] {
         let _ =
             fails(dir.path(), &["coupon", "d.toml", "--only", only], 1, &["leave v-actuator out of --only"]);
     }
     assert!(!dir.path().join("coupons").exists());
-    let _ = done(dir.path(), &["coupon", "d.toml", "--only", "disc", "-q"]);
+    let _ = done_silently(dir.path(), &["coupon", "d.toml", "--only", "disc", "-q"]);
 }
 
 #[test]
@@ -641,7 +637,7 @@ fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
         "`spring_loaded = true`",
     ];
     let _ = fails(dir.path(), &low, 1, &words);
-    let said = done(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
+    let said = done_silently(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
     assert!(said.contains("wrote 1 program and 1 drawing to coupons"), "{said}");
 }
 
@@ -649,7 +645,7 @@ fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
 fn coupons_stay_within_the_work_area() {
     // A bed of 220 mm takes four strips in a row, and all the pouches.
     let small = workshop_of(220, 220);
-    let _ = done(small.path(), &["coupon", "star.toml", "--repeats", "2"]);
+    let _ = done_silently(small.path(), &["coupon", "star.toml", "--repeats", "2"]);
     for name in names(&small.path().join("coupons")).iter().filter(|name| name.contains(".gcode")) {
         for word in read(small.path(), &format!("coupons/{name}"))
             .lines()
@@ -698,19 +694,20 @@ fn calibration(text: &str) -> TempDir {
 #[test]
 fn calibrate_chooses_the_fastest_that_holds() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0]), (0.5, &[50.0, 51.0, 49.0])]));
-    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
     for words in
         ["[fabric]\nseal_strength = \"1.920 N/mm\"", "speed = \"0.5 mm/s\"", "temperature = \"200 C\""]
     {
         assert!(said.contains(words), "{words}: {said}");
     }
-    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
+    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
     assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
-    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm", "--margin", "1"]);
+    let said =
+        done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm", "--margin", "1"]);
     assert!(said.contains("speed = \"0.5 mm/s\""), "{said}");
     // A table as spreadsheets save it.
     let dir = calibration(&format!("\u{feff}{}", table(&[(0.1, &[74.0, 75.0, 76.0])]).replace('\n', "\r\n")));
-    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
     assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
 }
 
@@ -729,7 +726,10 @@ fn calibrate_takes_the_need_from_the_spec_or_asks() {
     for (pressure, speed) in [("30 kPa", "0.1 mm/s"), ("1 kPa", "0.5 mm/s")] {
         let spec = format!("{}[load]\npressure = \"{pressure}\"\n", support::PAPER);
         fs::write(dir.path().join("star.toml"), spec).expect("written");
-        let said = done(dir.path(), &["calibrate", "results.csv", "--spec", "star.toml", "--margin", "1.2"]);
+        let said = done_silently(
+            dir.path(),
+            &["calibrate", "results.csv", "--spec", "star.toml", "--margin", "1.2"],
+        );
         assert!(said.contains(&format!("speed = \"{speed}\"")), "{said}");
         assert!(said.starts_with(&format!("# at {pressure} the seal has to hold ")), "{said}");
     }
@@ -764,7 +764,7 @@ fn calibrate_covers_the_pull_of_sharp_hinges() {
         let strong = spec.replace("[load]", &format!("{strength}\n[load]"));
         fs::write(dir.path().join("strong.toml"), strong).expect("written");
         let args = ["check", "strong.toml", "--json"];
-        assert_eq!(json_of(&done(dir.path(), &args))["verdict"]["holds"], true, "{said}");
+        assert_eq!(json_of(&done_silently(dir.path(), &args))["verdict"]["holds"], true, "{said}");
         assert!(said.contains("so the margin is "), "{said}");
         Some(strength)
     };
@@ -788,7 +788,7 @@ fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
     let load = "\n[load]\npressure = \"10 kPa\"\n";
     for (name, more, asked) in [("soft.toml", "", true), ("hard.toml", load, false)] {
         fs::write(dir.path().join(name), format!("{spec}{more}")).expect("written");
-        let said = done(dir.path(), &["coupon", name, "-o", "c", "--only", "strips"]);
+        let said = done_silently(dir.path(), &["coupon", name, "-o", "c", "--only", "strips"]);
         assert_eq!(said.contains(&format!("write `pressure` into [load] of {name}")), asked, "{said}");
         let command =
             said.lines().find_map(|line| line.split_once("then: stargrip-cam ")).expect("a command").1;
@@ -796,8 +796,8 @@ fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
         fs::write(dir.path().join("c/results.csv"), filled).expect("written");
         fs::write(dir.path().join(name), format!("{spec}{load}")).expect("written");
         let args: Vec<&str> = command.split(' ').chain(["--json"]).collect();
-        let found = json_of(&done(dir.path(), &args));
-        let predicted = json_of(&done(dir.path(), &["predict", name, "--json"]));
+        let found = json_of(&done_silently(dir.path(), &args));
+        let predicted = json_of(&done_silently(dir.path(), &["predict", name, "--json"]));
         // Its wrinkles are too fine to resolve: folds may pull as hard as the upper end of the range.
         let pull = &predicted["chambers"][0]["ranges"]["seal_pull_N_per_mm"][1];
         assert_eq!(&found["needed_N_mm"], pull);
@@ -812,7 +812,7 @@ fn calibrate_reads_many_settings() {
     let settings: Vec<(f64, &[f64])> =
         (1..=40_000).map(|i| (f64::from(i) / 50.0, &[50.0, 50.0, 50.0][..])).collect();
     let dir = calibration(&table(&settings));
-    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
     assert!(said.contains("speed = \"800 mm/s\""), "{said}");
 }
 
@@ -919,11 +919,11 @@ fn finds_the_fabric(tip_radius: &str, radius: &str) {
     let asked = format!(
         "actuator --model section --json --tube-width 30mm --radius {radius} --angle 60deg --arm-length 120mm --pressure 12kPa"
     );
-    let predicted = json_of(&done(dir.path(), &asked.split(' ').collect::<Vec<_>>()));
+    let predicted = json_of(&done_silently(dir.path(), &asked.split(' ').collect::<Vec<_>>()));
     let angle = predicted["angle_deg"].as_f64().expect("a number").to_string();
     let bench = ["--flat-angle", "60", "--inflated-angle", &angle, "--angle-pressure", "12 kPa"];
     let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], &bench].concat();
-    let said = done(dir.path(), &call);
+    let said = done_silently(dir.path(), &call);
     // B of 0.3 mm at 128 MPa is 0.340 N mm.
     assert!(said.contains("[fabric]\n# of the V-actuator at 12 kPa; a degree less or more"), "{said}");
     assert!(
@@ -937,15 +937,15 @@ fn finds_the_fabric(tip_radius: &str, radius: &str) {
         "{said}"
     );
     let alone = [&["calibrate", "--spec", "spec.toml"][..], &bench].concat();
-    let told = done(dir.path(), &alone);
+    let told = done_silently(dir.path(), &alone);
     assert!(
         told.contains("[fabric]\n") && told.contains("= \"0.340 N mm\"\n") && !told.contains("seal"),
         "{told}"
     );
-    let told = json_of(&done(dir.path(), &[&alone[..], &["--json"]].concat()));
+    let told = json_of(&done_silently(dir.path(), &[&alone[..], &["--json"]].concat()));
     assert!(told["chosen"].is_null() && told["coiling"]["model"] == "section", "{told}");
     let disc = ["--disc-width", "77.2 mm", "--disc-pressure", "10 kPa", "--json"];
-    let both = json_of(&done(dir.path(), &[&call[..], &disc].concat()));
+    let both = json_of(&done_silently(dir.path(), &[&call[..], &disc].concat()));
     let stretch = both["fabric"]["stretch_stiffness_N_mm"].as_f64().expect("a number");
     assert!((5.0..100.0).contains(&stretch), "{both}");
     // The bench results do not depend on the strips.
@@ -997,7 +997,7 @@ fn calibrate_compares_lambda_with_the_prediction() {
     let angles =
         [&["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"][..], &needed]
             .concat();
-    let said = done(dir.path(), &angles);
+    let said = done_silently(dir.path(), &angles);
     assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
     assert!(said.contains("seal_strength"), "{said}");
     // The results of the V-actuator do not depend on the strips.

@@ -2,26 +2,12 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
-use crate::support::program::{run, stderr, stdout, workshop};
-
-/// Runs the program in `dir` with the user's settings in its folder `settings`.
-fn with_list(dir: &Path, args: &[&str]) -> Output {
-    let settings = dir.join("settings");
-    Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
-        .current_dir(dir)
-        .env("XDG_CONFIG_HOME", settings)
-        .args(args)
-        .output()
-        .expect("it starts")
-}
+use crate::support::program::{run, run_with_settings, stderr, stdout_of_success, workshop};
 
 #[track_caller]
 fn done(dir: &Path, args: &[&str]) -> String {
-    let output = with_list(dir, args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
-    stdout(&output)
+    stdout_of_success(args, &run_with_settings(dir, args))
 }
 
 const RESULTS: &str = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n1,190,0.2,-0.3,86,seal\n\
@@ -49,7 +35,7 @@ fn what_calibrate_prints_is_a_fabric_of_every_command() {
     );
     assert!(!spec.contains("young_modulus") && !spec.contains("specimens"), "{spec}");
     let program = fs::read_to_string(dir.path().join("made/star-1-seal.gcode")).expect("written");
-    assert!(program.contains("190"), "{program}");
+    assert!(program.contains("heat: temperature_C=190"), "{program}");
     // The directory alone states every value: without the list it is proven.
     assert_eq!(run(dir.path(), &["verify", "made"]).status.code(), Some(0));
     for command in ["check", "predict"] {
@@ -79,7 +65,7 @@ fn an_unknown_fabric_is_answered_with_the_list() {
         ("ripstop", "unknown-key"),
         ("no/such.toml", "cannot read no/such.toml"),
     ] {
-        let output = with_list(dir.path(), &["check", "star.toml", "--fabric", fabric]);
+        let output = run_with_settings(dir.path(), &["check", "star.toml", "--fabric", fabric]);
         assert_eq!(output.status.code(), Some(1), "{fabric}");
         assert!(stderr(&output).contains(part), "{fabric}: {}", stderr(&output));
     }

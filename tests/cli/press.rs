@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::program::{run, stderr, stdout};
+use crate::support::program::{done, run, stderr};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -14,13 +14,6 @@ fn workshop(more: &str) -> TempDir {
     let dir = tempfile::tempdir().expect("a directory");
     fs::write(dir.path().join("star.toml"), format!("{PRESSED}{more}")).expect("written");
     dir
-}
-
-#[track_caller]
-fn done(dir: &Path, args: &[&str]) -> String {
-    let output = run(dir, args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
-    stdout(&output)
 }
 
 /// The refusals of a command that fails.

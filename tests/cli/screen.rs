@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::support::inputs::ACTUATOR;
-use crate::support::program::{run, stderr, stdout};
+use crate::support::program::{done_silently, run, stderr, stdout};
 
 const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 
@@ -230,16 +230,9 @@ fn bench() -> tempfile::TempDir {
 
 /// Runs a command that must succeed with empty standard error; returns its standard output.
 #[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = run(folder, args);
-    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{args:?}");
-    stdout(&output)
-}
-
-#[track_caller]
 fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
     let json: serde_json::Value =
-        serde_json::from_str(&done(folder, &[args, &["--json"]].concat())).expect("one object");
+        serde_json::from_str(&done_silently(folder, &[args, &["--json"]].concat())).expect("one object");
     assert!(json.is_object(), "{args:?}");
     json
 }
@@ -248,7 +241,7 @@ fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
 fn short_answers_are_for_programs_too_or_for_nobody() {
     let folder = bench();
     let here = folder.path();
-    assert_eq!(done(here, &["build", "star.toml", "-q"]), "");
+    assert_eq!(done_silently(here, &["build", "star.toml", "-q"]), "");
     let job = "out/star/star-1-seal.gcode";
     for args in [
         &["verify", "out/star"][..],
@@ -261,7 +254,7 @@ fn short_answers_are_for_programs_too_or_for_nobody() {
         &["new", "again"],
         &ACTUATOR,
     ] {
-        assert_eq!(done(here, &[args, &["-q"]].concat()), "", "{args:?}");
+        assert_eq!(done_silently(here, &[args, &["-q"]].concat()), "", "{args:?}");
         let _ = fs::remove_file(here.join("again.gcode"));
     }
     let check = json(here, &["feedcheck", "star.toml"]);
@@ -313,7 +306,7 @@ fn what_was_measured_and_what_was_written_is_for_programs_too() {
     let runs = &refused[refused.find("up to").expect("a speed")..];
     let marlin = machines.iter().find(|machine| machine["name"] == "marlin").expect("built in");
     assert!(marlin["ability"].as_str().is_some_and(|ability| ability.contains(runs)), "{runs}: {marlin}");
-    assert_eq!(done(here, &["machines", "-q"]).lines().count(), machines.len());
+    assert_eq!(done_silently(here, &["machines", "-q"]).lines().count(), machines.len());
     assert_eq!(run(here, &["machines", "--json", "show", "grbl"]).status.code(), Some(2));
 }
 
@@ -322,9 +315,9 @@ fn a_search_is_for_programs_too_and_its_spec_alone_for_the_quiet() {
     let folder = bench();
     let here = folder.path();
     let optimize = ["optimize", "star.toml", "--points", "5", "--tube-width", "25 mm", "--goal", "fabric"];
-    let spec = done(here, &[&optimize[..], &["-q"]].concat());
+    let spec = done_silently(here, &[&optimize[..], &["-q"]].concat());
     assert!(!spec.contains("designs computed") && spec.contains("tube_width = \"25 mm\""), "{spec}");
-    assert!(done(here, &optimize).contains(&spec));
+    assert!(done_silently(here, &optimize).contains(&spec));
     let found = json(here, &optimize);
     assert_eq!((&found["spec"], &found["best"][0]["tube_width_mm"]), (&spec.into(), &25.0.into()));
     assert!(found["best"][0]["short"].as_array().is_some_and(Vec::is_empty), "{found}");

@@ -7,9 +7,9 @@ mod table;
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use crate::support::inputs::GRIPPER as SPEC;
+use crate::support::program::{done, run};
 use tempfile::TempDir;
 
 /// A study whose 216 rows include refusals, words, whole numbers and unknown values.
@@ -31,25 +31,8 @@ fn folder(study: &str) -> TempDir {
     dir
 }
 
-fn command(dir: &Path, args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
-    let _ = command.current_dir(dir).args(args);
-    command
-}
-
-fn run(dir: &Path, args: &[&str]) -> Output {
-    command(dir, args).output().expect("it runs")
-}
-
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
-}
-
-#[track_caller]
-fn done(dir: &Path, args: &[&str]) -> String {
-    let output = run(dir, args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", text(&output.stderr));
-    text(&output.stdout)
 }
 
 /// The standard error of a command that ends with `code`.
