@@ -68,7 +68,7 @@ fn the_middle_of_a_pouch_contracts() {
     let drawing = inflated(&pouches(measures, "14"));
     assert_within(by_name(&drawing, "middle").distance_mm, 40.0, 25.5..=25.9);
     // The end seam folds; this mesh holds it longer than the mean of its folds, 34.5 mm.
-    assert_within(by_name(&drawing, "end").distance_mm, 40.0, 34.0..=37.0);
+    assert_within(by_name(&drawing, "end").distance_mm, 40.0, 35.8..=36.8);
     assert_within(by_name(&drawing, "hook").angle_deg, 90.0, 88.0..=92.0);
     assert_eq!(["middle", "end", "top"].map(|name| by_name(&drawing, name).chamber), [1, 2, 2]);
     let (top, chamber) = (by_name(&drawing, "top"), &drawing.prediction.chambers[1]);
