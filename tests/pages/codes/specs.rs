@@ -85,6 +85,10 @@ const DESIGNS: &[(&str, &str)] = &[
     ("tube-between-plates", "[stack]\ncount = 2\npitch = \"5 mm\"\n"),
     ("wide-frame", "[stack]\ncount = 2\npitch = \"200 mm\"\n"),
     ("wide-kerf", "[cut]\nkerf = \"20 mm\"\n"),
+    (
+        "weak-process",
+        "inner_process = \"weak\"\n[process.weak]\nstrength = \"2 N/mm\"\n[fabric]\nseal_strength = \"3 N/mm\"\n",
+    ),
     ("weak-seal", "[seal]\noverlap = \"1 mm\"\n"),
     ("unknown-reach", "[machine]\nprofile = \"linuxcnc\"\n"),
 ];
@@ -135,6 +139,7 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
         "[[keep_out]]\nname = \"clamp\"\nx = \"200 mm\"\ny = \"200 mm\"\nwidth = \"40 mm\"\ndepth = \"40 mm\"\n[heights]",
         "",
     ),
+    ("deep-contact", "ender", "surface = \"1 mm\"", "surface = \"0 mm\"", ""),
     ("profile-limit", "klipper", "TIMEOUT=86400", "TIMEOUT=600", ""),
     ("steep-ramp", "grbl", "ramp = \"3 mm\"", "ramp = \"0.005 mm\"", "feed_floor = \"chop\"\n"),
     ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),
@@ -194,6 +199,11 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
     ("layer-without-role", "port = [\"p\"]", ROOM),
     ("unknown-layer", "air = [\"a\", \"b\"]\nport = [\"p\"]", ROOM),
     ("chamber-without-port", "air = [\"a\"]\nignore = [\"p\"]", ROOM),
+    (
+        "process-without-seam",
+        "air = [\"a\"]\nport = [\"p\"]\n[drawing.process]\nweak = [\"b\"]\n[process.weak]",
+        ROOM,
+    ),
     ("nothing-drawn", "ignore = [\"a\", \"p\"]", ROOM),
     (
         "port-off-edge",
