@@ -82,7 +82,7 @@ pub fn inflate(
     let DrawnCase { chambers, pressures, measures: placed } = &drawn_case;
     let mut prediction = flat(spec, pieces, &drawn_case);
     let (_, pressure) = loaded(spec).ok_or_else(no_pressure)?;
-    refuse_large(chambers, detail, pressure, watch)?;
+    refuse_large(chambers, detail, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let strengths = SeamStrengths::new(spec, pieces);
@@ -92,14 +92,10 @@ pub fn inflate(
         let RegionPressure { highest, partial } = &pressures[number];
         let partial = partial.clone();
         let case = FlatRegion { pressure: highest.pascals(), probes, partial, ..chamber.region.clone() };
-        let report_part = |part: f64, what: &str| {
-            if let Some(progress) = watch.progress {
-                #[expect(clippy::cast_precision_loss, reason = "few chambers")]
-                progress((number as f64 + part) / count as f64, what);
-            }
-        };
-        let chamber_watch = Watch { progress: Some(&report_part), ..watch.clone() };
-        let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
+        #[expect(clippy::cast_precision_loss, reason = "few chambers")]
+        let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
+        let inflated = watch
+            .within(ends, |watch| region(&case, chamber.fineness(detail), watch))
             .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
         answer.fill(&inflated, pieces, *highest, &strengths);
@@ -143,16 +139,8 @@ fn seconds(unknowns: f64) -> f64 {
 }
 
 /// Tells `watch` the size of the computation before it begins, or refuses one that is larger than it accepts.
-fn refuse_large(
-    regions: &[DrawnChamber],
-    detail: Detail,
-    pressure: Pressure,
-    watch: &Watch<'_>,
-) -> Result<(), PredictFault> {
-    let sizes = regions.iter().map(|chamber| {
-        let region = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
-        region.unknowns(chamber.fineness(detail))
-    });
+fn refuse_large(regions: &[DrawnChamber], detail: Detail, watch: &Watch<'_>) -> Result<(), PredictFault> {
+    let sizes = regions.iter().map(|chamber| chamber.region.unknowns(chamber.fineness(detail)));
     let unknowns: f64 = sizes.sum();
     let size = format!("about {} unknowns and {}", thousands(unknowns), duration(seconds(unknowns)));
     let limit = watch.most_unknowns.unwrap_or(f64::INFINITY);

@@ -1,7 +1,7 @@
 //! Ranges of a drawn chamber whose shape its mesh errors alone do not bound: folds that are too fine to resolve, or two stable shapes.
 //!
-//! Where wrinkles are blended or a second shape was found, a range contains every shape with its error. Where no resolved shape was found, all
-//! wrinkles are averaged. A sheet that bears no compression inflates higher and narrower than one whose folds are stiff, and its folds pull less
+//! Where wrinkles are blended or a second shape was found, a range contains every shape with its error. Where folds are finer still, or
+//! no shape with folds was found, all wrinkles are averaged. A sheet that bears no compression inflates higher and narrower than one whose folds are stiff, and its folds pull less
 //! on the seal. The bounds of its ranges contain shells with resolved wrinkles of square pouches of 40 and 100 mm, a disc of 100 mm, bent tubes and
 //! V-actuators, at 1/eps from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps.
 
@@ -110,8 +110,8 @@ fn stated_range(value: MeshedValue, factors: Interval) -> Interval {
 /// The warning about the averaged wrinkles of `chambers`, names in words.
 pub(super) fn averaged_warning(chambers: &str) -> String {
     format!(
-        "no shape with resolved wrinkles was found of {chambers}: they are averaged, and the ranges contain shapes with folds; bent tubes coil \
-         up to 0.04 of lambda too far; no burst pressure is predicted, because folds may pull {PULL} times as hard on the seal"
+        "the wrinkles of {chambers} are averaged, because they are too fine or no shape with folds was found: the ranges contain shapes with \
+         folds; bent tubes coil up to 0.04 of lambda too far; no burst pressure is predicted, because folds may pull {PULL} times as hard on the seal"
     )
 }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 /// Whether there is one thread only. No code of rayon is in a program for WebAssembly then.
 const IS_ALONE: bool = cfg!(target_family = "wasm");
 
-/// What `run` gives for each item, in their order; all threads share the items.
+/// The results of `run` for all items, in their order; all threads share the items.
 pub fn mapped<T: Send, U: Send>(items: Vec<T>, run: impl Fn(T) -> U + Send + Sync) -> Vec<U> {
     if IS_ALONE { items.into_iter().map(run).collect() } else { items.into_par_iter().map(run).collect() }
 }

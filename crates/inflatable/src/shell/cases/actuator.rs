@@ -5,7 +5,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::fault::{Input, ShellFault};
 use crate::shell::cases::margin::Margin;
-use crate::shell::cases::refinement::{Evidence, Family, LoadPath, Watch};
+use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
@@ -151,15 +151,7 @@ pub fn actuator(
         case.margin.apply(meshed, sheet, &mut supports);
         supports
     };
-    let family = Family {
-        tube: case.tube,
-        coarsest,
-        cuts: fineness.cuts,
-        hold: &hold,
-        obstacles: &[],
-        approach: LoadPath::FromFlat,
-        most_steps: u32::MAX,
-    };
+    let family = Family::new(case.tube, coarsest, fineness.cuts, &hold);
     let mut shape = InflatedShape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let line = modelled.arm_line(&meshed.mesh);

@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Plane, Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Family, LoadPath, Watch};
+use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{self, Border, Mesh, Meshed, Sizes, plane};
@@ -52,15 +52,7 @@ pub(super) fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<Inf
     let hold = |meshed: &Meshed, _: &mut Sheet| {
         Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)])
     };
-    let family = Family {
-        tube: case.tube,
-        coarsest,
-        cuts: fineness.cuts,
-        hold: &hold,
-        obstacles: &[],
-        approach: LoadPath::FromFlat,
-        most_steps: u32::MAX,
-    };
+    let family = Family::new(case.tube, coarsest, fineness.cuts, &hold);
     let ([lambda, stiffness], _) = family.run(watch, |solver, meshed, equilibrium, _| {
         let turning = Turning {
             arc: case.arc,

@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Assembly, Sheet, State, Supports};
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::tube::Tube;
+use crate::shell::cases::tube::{MOST_STRETCHED, Tube};
 use crate::shell::cases::value::Value;
 use crate::shell::contact::{Contact, Obstacle};
 use crate::shell::mesh::{Mesh, Meshed};
@@ -25,6 +25,12 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
+    /// Runs `work`, a part of this computation that lasts from `start` to `end` of it, 0 to 1, and reports its own progress as 0 to 1.
+    pub fn within<T>(&self, [start, end]: [f64; 2], work: impl FnOnce(&Watch<'_>) -> T) -> T {
+        let report = |part: f64, step: &str| self.tell(start + (end - start) * part, step);
+        work(&Watch { progress: self.progress.is_some().then_some(&report), ..self.clone() })
+    }
+
     pub(crate) fn tell(&self, part: f64, step: &str) {
         if let Some(progress) = self.progress {
             progress(part, step);
@@ -37,20 +43,11 @@ impl Watch<'_> {
 pub struct Evidence {
     /// Unknowns of each mesh, coarse to fine.
     pub unknowns: Vec<usize>,
-    /// The whole effort on each mesh: pressurising it, measuring its numbers, and starting the finer one.
+    /// The whole effort on each mesh: pressurising it, measuring its numbers, and starting the finer one. Where several shapes were computed,
+    /// those of the first come first.
     pub efforts: Vec<Effort>,
     /// The finest mesh's residual by p W^2.
     pub residual: f64,
-}
-
-/// How the coarsest mesh of a sheet that bears compression reaches its pressure. Pouches have two stable shapes at some pressures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum LoadPath {
-    /// The pressure rises from the flat sheet.
-    #[default]
-    FromFlat,
-    /// It rises to [`OVERPRESSURE`] times itself and falls back.
-    FromAbove,
 }
 
 impl Evidence {
@@ -59,6 +56,15 @@ impl Evidence {
         let efforts = earlier.efforts.iter().chain(&self.efforts).copied().collect();
         Self { unknowns: earlier.unknowns.clone(), efforts, residual: self.residual.max(earlier.residual) }
     }
+}
+
+/// How the coarsest mesh of a sheet that bears compression reaches its pressure. Pouches have two stable shapes at some pressures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LoadPath {
+    /// The pressure rises from the flat sheet.
+    FromFlat,
+    /// It rises to [`OVERPRESSURE`] times itself and falls back.
+    FromAbove,
 }
 
 /// A case to be run.
@@ -96,7 +102,25 @@ pub(super) fn values<const N: usize>(numbers: &[[f64; N]]) -> [Value; N] {
     std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| numbers[mesh.min(numbers.len() - 1)][k])))
 }
 
-impl Family<'_> {
+impl<'a> Family<'a> {
+    /// A tube that is pressurised from flat, without obstacles and with any number of steps.
+    pub(crate) fn new(
+        tube: Tube,
+        coarsest: Meshed,
+        cuts: usize,
+        hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
+    ) -> Self {
+        Self {
+            tube,
+            coarsest,
+            cuts,
+            hold,
+            obstacles: &[],
+            approach: LoadPath::FromFlat,
+            most_steps: u32::MAX,
+        }
+    }
+
     /// Runs the case; `measure` takes its numbers from each mesh's equilibrium, and leaves those beside it, which the next mesh is given as
     /// starts.
     pub(crate) fn run<const N: usize>(
@@ -160,7 +184,7 @@ impl Family<'_> {
         let mut continuation = self.tube.continuation();
         let highest = (OVERPRESSURE * continuation.last).min(MOST_STRETCHED);
         if self.approach == LoadPath::FromAbove {
-            continuation.last = continuation.last.max(highest);
+            continuation.last = highest;
         }
         let log_range = libm::log(continuation.last / continuation.first).max(1e-9);
         let report = |equilibrium: &Equilibrium| {
@@ -260,9 +284,8 @@ impl Family<'_> {
 /// p W/Y from which a sheet that bears no compression is let down: from flat and from a coarser mesh it comes to rest there within some ten
 /// steps, and at a hundredth of it hardly at all.
 const WELL_STRETCHED: f64 = 0.02;
-/// Pressure from which a sheet that bears compression is let down, by that of the case, and the largest p W/Y there.
+/// Pressure from which a sheet that bears compression is let down, by that of the case; at most that of [`MOST_STRETCHED`].
 const OVERPRESSURE: f64 = 4.0;
-const MOST_STRETCHED: f64 = 0.1;
 /// Factor of pressure from one equilibrium to the next on the way down, and the one nearest to 1.
 const DOWN: f64 = 0.4;
 const LEAST_DOWN: f64 = 0.95;
@@ -276,4 +299,25 @@ const LET_DOWN: f64 = 2.0;
 /// The part of the work that is done when `finer_meshes` finer meshes are left: each costs about four times the one before.
 pub(crate) fn part(finer_meshes: usize) -> f64 {
     (0..finer_meshes).fold(1.0, |part, _| part / 4.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn the_progress_of_nested_parts_rises_from_0_to_1() {
+        let parts = RefCell::new(Vec::new());
+        let record = |part: f64, _: &str| parts.borrow_mut().push(part);
+        let watch = Watch { progress: Some(&record), ..Watch::default() };
+        let report_ends = |watch: &Watch| [0.0, 1.0].iter().for_each(|part| watch.tell(*part, "step"));
+        watch.within([0.0, 0.5], |watch| {
+            watch.within([0.0, 0.5], report_ends);
+            watch.within([0.5, 1.0], report_ends);
+        });
+        watch.within([0.5, 1.0], report_ends);
+        assert_eq!(*parts.borrow(), [0.0, 0.25, 0.25, 0.5, 0.5, 1.0]);
+        assert!(Watch::default().within([0.0, 0.5], |watch| watch.progress.is_none()));
+    }
 }

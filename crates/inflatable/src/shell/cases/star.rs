@@ -6,7 +6,7 @@ use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
 use crate::shell::cases::objects::{Hysteresis, MOST_OBJECTS, Objects, hysteresis, press};
-use crate::shell::cases::refinement::{Evidence, Family, LoadPath, Watch};
+use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::sector::ModelledSector;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
@@ -251,15 +251,7 @@ pub fn star_by_sizes(
     let obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
     let hold = case.hold(&modelled);
-    let family = Family {
-        tube: case.tube,
-        coarsest,
-        cuts,
-        hold: &hold,
-        obstacles: &obstacles,
-        approach: LoadPath::FromFlat,
-        most_steps: u32::MAX,
-    };
+    let family = Family { obstacles: &obstacles, ..Family::new(case.tube, coarsest, cuts, &hold) };
     // Both are those of the last mesh, which is the finest.
     let (mut places, mut shape) = ([[0.0; 2]; 3], InflatedShape::default());
     let mut snap_forces = None::<Hysteresis>;

@@ -21,7 +21,7 @@ const THINNEST: f64 = 1e-4;
 /// t/W beyond which the sheet is no thin shell.
 const THICKEST: f64 = 0.03;
 /// p W/Y beyond which strains are no longer small.
-const MOST_STRETCHED: f64 = 0.1;
+pub(crate) const MOST_STRETCHED: f64 = 0.1;
 /// Largest 1/eps of the shells tested.
 pub(crate) const MOST_BENDABLE: f64 = 5000.0;
 /// Poisson's ratios that fabrics have.

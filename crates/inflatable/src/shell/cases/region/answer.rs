@@ -21,8 +21,6 @@ pub enum Wrinkles {
     Averaged,
 }
 
-/// Largest 1/eps at which wrinkles are resolved, as those of stars. Coarse meshes show the folds of cushions there.
-pub const MOST_RESOLVED: f64 = 5000.0;
 /// The part of its stiffness against compression that an averaged sheet keeps, by p W/Y: where it is shortened by a quarter, as at the rim of
 /// a disc, it bears 0.25 % of p W.
 const LEFT: f64 = 1e-2;
@@ -152,47 +150,56 @@ pub enum PlaneState {
     Unsure,
 }
 
-/// The results of the family of meshes of `case`.
-pub(super) fn answer(
-    case: &FlatRegion,
-    (tube, wrinkles): (&Tube, Wrinkles),
-    (values, evidence): ([Value; NUMBERS], Evidence),
-    pulls: &[Vec<Station>],
-    (measured, shape, surface): (Measured, InflatedShape, Surface),
-) -> InflatedRegion {
-    // The meshes were computed in units of the chamber's width and the fabric's stretching stiffness. Here each number
-    // gets its unit back.
-    let (w, y) = (tube.width, tube.fabric.stretch);
-    let seams = seam_pulls(case, pulls, [w, y]);
-    let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));
-    let place = |at: [f64; 2]| at.map(|x| x * w);
-    let flat = case.chamber.outline.bounds();
-    let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, energy, pull] = values;
-    InflatedRegion {
-        width: w,
-        bendability: tube.bendability(),
-        wrinkles,
-        height: height.scaled(w),
-        height_at: place(measured.height_at),
-        flat_extents: [flat.width(), flat.height()],
-        extents: [x.scaled(w), y_extent.scaled(w)],
-        volume: volume.scaled(w.powi(3)),
-        seal_pull: pull.scaled(y),
-        pull_at: largest.map_or([0.0; 2], |largest| largest.at),
-        seams,
-        is_parted: !case.partial.is_empty(),
-        stretch,
-        stretch_at: place(measured.stretch_at),
-        tension: tension.scaled(y),
-        tension_at: place(measured.tension_at),
-        symmetric_eigenvalue: symmetric,
-        antisymmetric_eigenvalue: antisymmetric,
-        shape,
-        surface,
-        probed: Vec::new(),
-        energy: energy.scaled(2.0 * tube.energy()),
-        second: None,
-        evidence,
+/// The results of a family of meshes: numbers in units of the chamber's width and the fabric's stretching stiffness, positions in m.
+pub(super) struct FamilyResults {
+    pub(super) values: [Value; NUMBERS],
+    pub(super) evidence: Evidence,
+    /// The stations along the seams of each of the last three meshes.
+    pub(super) pulls: Vec<Vec<Station>>,
+    /// The positions of the probes on each of them.
+    pub(super) probed: Vec<Vec<[f64; 3]>>,
+    /// The places of numbers on the finest mesh.
+    pub(super) measured: Measured,
+    pub(super) shape: InflatedShape,
+    pub(super) surface: Surface,
+}
+
+impl FamilyResults {
+    /// The inflated chamber `case`, computed as `tube` with this treatment of `wrinkles`; each number gets its unit back.
+    pub(super) fn answer(self, case: &FlatRegion, tube: &Tube, wrinkles: Wrinkles) -> InflatedRegion {
+        let (w, y) = (tube.width, tube.fabric.stretch);
+        let seams = seam_pulls(case, &self.pulls, [w, y]);
+        let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));
+        let place = |at: [f64; 2]| at.map(|x| x * w);
+        let flat = case.chamber.outline.bounds();
+        let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, energy, pull] =
+            self.values;
+        InflatedRegion {
+            width: w,
+            bendability: tube.bendability(),
+            wrinkles,
+            height: height.scaled(w),
+            height_at: place(self.measured.height_at),
+            flat_extents: [flat.width(), flat.height()],
+            extents: [x.scaled(w), y_extent.scaled(w)],
+            volume: volume.scaled(w.powi(3)),
+            seal_pull: pull.scaled(y),
+            pull_at: largest.map_or([0.0; 2], |largest| largest.at),
+            seams,
+            is_parted: !case.partial.is_empty(),
+            stretch,
+            stretch_at: place(self.measured.stretch_at),
+            tension: tension.scaled(y),
+            tension_at: place(self.measured.tension_at),
+            symmetric_eigenvalue: symmetric,
+            antisymmetric_eigenvalue: antisymmetric,
+            shape: self.shape,
+            surface: self.surface,
+            probed: self.probed,
+            energy: energy.scaled(2.0 * tube.energy()),
+            second: None,
+            evidence: self.evidence,
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Family, LoadPath, Watch};
-use crate::shell::cases::region::answer::{InflatedRegion, MOST_RESOLVED, Wrinkles, answer};
+use crate::shell::cases::region::answer::{FamilyResults, InflatedRegion, Wrinkles};
 use crate::shell::cases::region::branches::{Blend, blended, lower_of};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
@@ -14,7 +14,7 @@ use crate::shell::cases::region::seams::{self, Station};
 use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
-use crate::shell::cases::tube::Tube;
+use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, Meshed};
 use geom::Path;
@@ -74,6 +74,8 @@ const MOST_BENDABLE_REGION: f64 = 1e10;
 const OTHER_MESHES: [f64; 4] = [0.85, 1.2, 0.7, 1.45];
 const LEAST_CELLS: f64 = 1.0;
 
+/// Largest 1/eps at which wrinkles are resolved, as those of stars. Coarse meshes show the folds of cushions there.
+const MOST_RESOLVED: f64 = MOST_BENDABLE;
 /// 1/eps below which other meshes are tried rather than stiffer sheets, and to which a sheet is stiffened at last.
 const SURELY_RESOLVED: f64 = 1000.0;
 /// Least 1/eps at which a second shape is looked for: at 750 the shape from flat is the only one of a square pouch.
@@ -100,27 +102,29 @@ const TUBE: f64 = 0.75;
 const MOST_RESOLVED_OF_TUBES: f64 = 1e5;
 
 /// A try to inflate a chamber.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Attempt {
     /// Edges across the chamber.
     cells: f64,
-    /// Largest 1/eps that is resolved; `None` to average all wrinkles.
+    /// 1/eps of the sheet whose folds are on the mesh, at most that of the chamber; `None` to average all wrinkles.
     resolved: Option<f64>,
 }
 
 /// The tries for a chamber of 1/eps = `bendability`, whose wrinkles are resolved up to 1/eps = `most_resolved`, in their order.
 fn attempts(bendability: f64, most_resolved: f64, cells: f64) -> Vec<Attempt> {
-    let other_cells = OTHER_MESHES.map(|times| (times * cells).max(LEAST_CELLS));
     let limits = [most_resolved, MOST_RESOLVED, SURELY_RESOLVED];
-    let mut resolved: Vec<f64> = limits.map(|limit| bendability.min(limit)).to_vec();
-    resolved.dedup();
+    let shown_limits = limits.into_iter().filter(|limit| bendability < FADED * limit);
+    let mut treatments: Vec<Option<f64>> = shown_limits.map(|limit| Some(bendability.min(limit))).collect();
+    let last_treatment = (bendability <= SURELY_RESOLVED).then_some(bendability);
+    treatments.push(last_treatment);
+    treatments.dedup();
     let mut tries: Vec<Attempt> =
-        resolved.into_iter().map(|limit| Attempt { cells, resolved: Some(limit) }).collect();
-    if bendability <= SURELY_RESOLVED {
-        tries.extend(other_cells.map(|cells| Attempt { cells, resolved: Some(bendability) }));
-    } else {
-        tries.push(Attempt { cells, resolved: None });
-        tries.extend(other_cells.map(|cells| Attempt { cells, resolved: None }));
+        treatments.into_iter().map(|resolved| Attempt { cells, resolved }).collect();
+    let other_cells = OTHER_MESHES.map(|times| (times * cells).max(LEAST_CELLS));
+    for attempt in other_cells.map(|cells| Attempt { cells, resolved: last_treatment }) {
+        if !tries.contains(&attempt) {
+            tries.push(attempt);
+        }
     }
     tries
 }
@@ -152,7 +156,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
 }
 
 /// The chamber with its wrinkles resolved up to 1/eps = `resolved`. Beyond, the sheet is computed twice: so stiff that it has this 1/eps, and
-/// without stiffness against compression; from [`FADED`] times this 1/eps on only the second counts.
+/// without stiffness against compression. From [`FADED`] times this 1/eps on only the second would count: [`attempts`] averages all wrinkles.
 fn resolved_up_to(
     case: &FlatRegion,
     tube: Tube,
@@ -162,15 +166,17 @@ fn resolved_up_to(
 ) -> Result<InflatedRegion, ShellFault> {
     let bendability = tube.bendability();
     if bendability <= resolved {
-        return lowest(case, tube, fineness, watch);
-    }
-    if bendability >= FADED * resolved {
-        return Run::averaged(tube).on_meshes(case, fineness, watch);
+        // Where nothing else is tried, a sheet may take its time.
+        let most_steps = if bendability <= SURELY_RESOLVED { u32::MAX } else { MOST_STEPS };
+        return lowest(case, Run::resolved(tube, most_steps), fineness, watch);
     }
     let bending = tube.fabric.bending * bendability / resolved;
     let stiff = Tube { fabric: Fabric { bending, ..tube.fabric }, ..tube };
-    let folded = lowest(case, stiff, fineness, watch)?;
-    let smooth = Run::averaged(tube).on_meshes(case, fineness, watch)?;
+    // The folded sheet is computed on two ways to its pressure.
+    let folded = watch
+        .within([0.0, 2.0 / 3.0], |watch| lowest(case, Run::resolved(stiff, MOST_STEPS), fineness, watch))?;
+    let smooth =
+        watch.within([2.0 / 3.0, 1.0], |watch| Run::averaged(tube).on_meshes(case, fineness, watch))?;
     let root = (resolved / bendability).sqrt();
     let end = (1.0 / FADED).sqrt();
     // What the law leaves open is nothing at its start.
@@ -178,18 +184,20 @@ fn resolved_up_to(
     Ok(blended(&smooth, &folded, blend))
 }
 
-/// The resolved shape of the lowest energy, of those from flat and from a higher pressure; with the other one, if it differs.
+/// The resolved shape of the lowest energy, of those of `flat_run` and of a run from a higher pressure; with the other one, if it
+/// differs.
 fn lowest(
     case: &FlatRegion,
-    tube: Tube,
+    flat_run: Run,
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedRegion, ShellFault> {
-    let from_flat = Run::resolved(tube, LoadPath::FromFlat).on_meshes(case, fineness, watch)?;
-    if tube.bendability() < LEAST_FOLDED {
-        return Ok(from_flat);
+    if flat_run.tube.bendability() < LEAST_FOLDED {
+        return flat_run.on_meshes(case, fineness, watch);
     }
-    match Run::resolved(tube, LoadPath::FromAbove).on_meshes(case, fineness, watch) {
+    let high_run = Run { approach: LoadPath::FromAbove, most_steps: MOST_STEPS, ..flat_run };
+    let from_flat = watch.within([0.0, 0.5], |watch| flat_run.on_meshes(case, fineness, watch))?;
+    match watch.within([0.5, 1.0], |watch| high_run.on_meshes(case, fineness, watch)) {
         Ok(from_above) => Ok(lower_of(from_flat, from_above)),
         Err(ShellFault::Stopped { .. }) => Ok(from_flat),
         Err(fault) => Err(fault),
@@ -211,11 +219,9 @@ impl Run {
         Self { tube, wrinkles: Wrinkles::Averaged, approach: LoadPath::FromFlat, most_steps: u32::MAX }
     }
 
-    fn resolved(tube: Tube, approach: LoadPath) -> Self {
-        // Where nothing else is tried, a sheet may take its time.
-        let is_only = tube.bendability() <= SURELY_RESOLVED && approach == LoadPath::FromFlat;
-        let most_steps = if is_only { u32::MAX } else { MOST_STEPS };
-        Self { tube, wrinkles: Wrinkles::Resolved, approach, most_steps }
+    /// A run from flat with at most `most_steps` Newton steps on one mesh.
+    fn resolved(tube: Tube, most_steps: u32) -> Self {
+        Self { tube, wrinkles: Wrinkles::Resolved, approach: LoadPath::FromFlat, most_steps }
     }
 
     /// Inflates `case` on these meshes.
@@ -239,8 +245,7 @@ impl Run {
             load_parts(&sealed, sheet, &tube);
             supports
         };
-        let family =
-            Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], approach, most_steps };
+        let family = Family { approach, most_steps, ..Family::new(tube, coarsest, fineness.cuts, &hold) };
         let mut pulls: Vec<Vec<Station>> = Vec::new();
         let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
         let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
@@ -263,8 +268,9 @@ impl Run {
             last = (measured, shape, surface);
             Ok(numbers)
         })?;
-        let inflated = answer(case, (&tube, wrinkles), (values, evidence), &pulls, last);
-        Ok(InflatedRegion { probed, ..inflated })
+        let (measured, shape, surface) = last;
+        let results = FamilyResults { values, evidence, pulls, probed, measured, shape, surface };
+        Ok(results.answer(case, &tube, wrinkles))
     }
 }
 
@@ -286,4 +292,53 @@ fn softened(tube: Tube) -> Tube {
     let most_stiffness = tube.pressure * tube.width / LEAST_STRETCHED;
     let stretch = tube.fabric.stretch.min(most_stiffness);
     Tube { fabric: Fabric { stretch, ..tube.fabric }, ..tube }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Edges across and the resolved 1/eps of each try.
+    fn tries(bendability: f64, most_resolved: f64, cells: f64) -> Vec<(f64, Option<f64>)> {
+        attempts(bendability, most_resolved, cells)
+            .iter()
+            .map(|attempt| (attempt.cells, attempt.resolved))
+            .collect()
+    }
+
+    /// `treatments` on meshes of 10 edges across, and the last one on other meshes.
+    fn with_other_meshes(treatments: &[Option<f64>]) -> Vec<(f64, Option<f64>)> {
+        let last = *treatments.last().expect("treatments");
+        let other_meshes = OTHER_MESHES.map(|times| (10.0 * times, last));
+        treatments.iter().map(|treatment| (10.0, *treatment)).chain(other_meshes).collect()
+    }
+
+    #[test]
+    fn no_try_repeats_another_one() {
+        for (bendability, most_resolved, treatments) in [
+            (800.0, MOST_RESOLVED, vec![Some(800.0)]),
+            (1000.0, MOST_RESOLVED, vec![Some(1000.0)]),
+            (3e3, MOST_RESOLVED, vec![Some(3e3), Some(1e3), None]),
+            (1.5e4, MOST_RESOLVED, vec![Some(5e3), Some(1e3), None]),
+            (5e4, MOST_RESOLVED, vec![Some(5e3), None]),
+            (1e5, MOST_RESOLVED, vec![None]),
+            (2e5, MOST_RESOLVED, vec![None]),
+            (3e3, MOST_RESOLVED_OF_TUBES, vec![Some(3e3), Some(1e3), None]),
+            (5e4, MOST_RESOLVED_OF_TUBES, vec![Some(5e4), Some(5e3), None]),
+            (2e5, MOST_RESOLVED_OF_TUBES, vec![Some(1e5), None]),
+            (5e6, MOST_RESOLVED_OF_TUBES, vec![None]),
+        ] {
+            assert_eq!(
+                tries(bendability, most_resolved, 10.0),
+                with_other_meshes(&treatments),
+                "{bendability}"
+            );
+        }
+        // Meshes of one edge across are the coarsest.
+        assert_eq!(
+            tries(800.0, MOST_RESOLVED, 1.0),
+            [(1.0, Some(800.0)), (1.2, Some(800.0)), (1.45, Some(800.0))]
+        );
+        assert_eq!(tries(2e5, MOST_RESOLVED, 1.0), [(1.0, None), (1.2, None), (1.45, None)]);
+    }
 }

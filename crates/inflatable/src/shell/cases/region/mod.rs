@@ -21,7 +21,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-pub use answer::{InflatedRegion, MOST_RESOLVED, PlaneState, RegionSeam, SeamPull, Wrinkles};
+pub use answer::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Wrinkles};
 pub use chambers::{FlatRegion, chambers};
 pub use inflate::region;
 pub use pressures::PartialPressure;

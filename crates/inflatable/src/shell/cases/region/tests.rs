@@ -177,22 +177,22 @@ fn a_cushion_does_not_jump_where_wrinkles_become_fine() {
 fn a_tube_is_the_same_with_resolved_and_with_averaged_wrinkles() {
     let tube = one(&[rectangle(0.12, 0.02)], &[]);
     let resolved = inflated(&tube, 0.12e-3, 2700.0, 2.5);
-    let averaged = self::averaged(&tube, 0.12e-3, 2700.0, 2.5);
-    assert_eq!([resolved.wrinkles, averaged.wrinkles], [Wrinkles::Resolved, Wrinkles::Averaged]);
+    let smooth = averaged(&tube, 0.12e-3, 2700.0, 2.5);
+    assert_eq!([resolved.wrinkles, smooth.wrinkles], [Wrinkles::Resolved, Wrinkles::Averaged]);
     assert!(
-        is_close(averaged.height, resolved.height.value, 0.025),
+        is_close(smooth.height, resolved.height.value, 0.025),
         "{:?} {:?}",
-        averaged.height,
+        smooth.height,
         resolved.height
     );
     assert!(
-        is_close(averaged.volume, resolved.volume.value, 0.01),
+        is_close(smooth.volume, resolved.volume.value, 0.01),
         "{:?} {:?}",
-        averaged.volume,
+        smooth.volume,
         resolved.volume
     );
-    let [a, b] = [averaged, resolved].map(|found| found.extents[0]);
-    assert!(is_close(a, b.value, 0.02), "{a:?} {b:?}");
+    let [smooth_extent, extent] = [smooth, resolved].map(|tube| tube.extents[0]);
+    assert!(is_close(smooth_extent, extent.value, 0.02), "{smooth_extent:?} {extent:?}");
 }
 
 /// Pouches beside a chamber's narrow side: each weld ends within. The sheets wrinkle around it.
