@@ -8,7 +8,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
 use crate::cli::words::beyond;
 use crate::pipeline::{Built, Forecast, no_requested_programs};
-use design::{Paper, Refusals};
+use design::Paper;
 use proof::artifact::{Kind, KindRequest, Output, too_large};
 
 /// The kinds of files to make.
@@ -30,9 +30,8 @@ impl Kinds {
 
     /// Refuses programs for a heat press.
     pub(super) fn refuse_programs(&self, loaded: &Loaded) -> Result<(), Failure> {
-        let refusals: Refusals =
-            no_requested_programs(&loaded.reading.spec, &self.request()).into_iter().collect();
-        refusals.or(()).map_err(|refusals| loaded.refused(refusals))
+        no_requested_programs(&loaded.reading.spec, &self.request())
+            .map_err(|refusals| loaded.refused(refusals))
     }
 
     /// Reports the kinds named in the options that the design of `built` does not have, and the files of `request` that are too large for

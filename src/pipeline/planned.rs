@@ -75,10 +75,15 @@ pub fn no_programs(spec: &Spec, subject: &str) -> Option<Refusal> {
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, found, remedy))
 }
 
-/// The refusal of the first program that `request` names, for a press; `None` without one, or for a machine with an iron.
-pub fn no_requested_programs(spec: &Spec, request: &KindRequest) -> Option<Refusal> {
-    let program = request.only.iter().chain(&request.with).find(|kind| kind.format() == Format::Gcode)?;
-    no_programs(spec, program.name())
+/// Refuses the first program that `request` names, for a press.
+///
+/// # Errors
+/// The refusal, if the spec has a press and the request names a program.
+pub fn no_requested_programs(spec: &Spec, request: &KindRequest) -> Result<(), Refusals> {
+    let program = request.only.iter().chain(&request.with).find(|kind| kind.format() == Format::Gcode);
+    let refusals: Refusals =
+        program.and_then(|program| no_programs(spec, program.name())).into_iter().collect();
+    refusals.or(())
 }
 
 /// A failed prediction, as a refusal at the key that causes it.

@@ -44,21 +44,22 @@ const squares = (page, png) => page.evaluate(async ([letters, side]) => {
 /** Edges against those of the reference. */
 function compareRegions(name, edges, reference, window) {
     for (const region of REGIONS) {
-        const [own, other] = [edges[region], reference[region]];
-        must(Boolean(own) === Boolean(other), `${name}: ${region} is ${own ? "" : "not "}in sight`);
-        if (!own || !other) continue;
-        const away = own.map((edge, k) => Math.abs(edge - other[k]) - Math.max(MOST_PX, MOST_SHARE * window[k % 2]));
-        must(away.every((more) => more <= 0), `${name}: ${region} lies at ${own}, not at ${other}`);
+        const [box, expected] = [edges[region], reference[region]];
+        must(Boolean(box) === Boolean(expected), `${name}: ${region} is ${box ? "" : "not "}in sight`);
+        if (!box || !expected) continue;
+        const away = box.map((edge, k) => Math.abs(edge - expected[k]) - Math.max(MOST_PX, MOST_SHARE * window[k % 2]));
+        must(away.every((more) => more <= 0), `${name}: ${region} lies at ${box}, not at ${expected}`);
     }
 }
 
 /** Squares against those of the reference. */
 function compareSquares(name, rows, reference) {
-    const levels = (text) => (text.match(/../g) ?? []).map((word) => parseInt(word, 16));
-    const [own, other] = [rows, reference].map((list) => levels(list.join("")));
-    const away = own.map((level, k) => Math.abs(level - other[k])), mean = away.reduce((sum, one) => sum + one, 0) / away.length;
-    const share = away.filter((one) => one > OTHER).length / away.length;
-    must(own.length === other.length && share <= MOST_OTHER && mean <= MOST_MEAN, `${name}: ${(100 * share).toFixed(1)} % of the squares are others, the mean difference is ${mean.toFixed(1)} of 255`);
+    const parsed = (text) => (text.match(/../g) ?? []).map((word) => parseInt(word, 16));
+    const [levels, expected] = [rows, reference].map((list) => parsed(list.join("")));
+    const differences = levels.map((level, k) => Math.abs(level - expected[k]));
+    const mean = differences.reduce((sum, difference) => sum + difference, 0) / differences.length;
+    const share = differences.filter((difference) => difference > OTHER).length / differences.length;
+    must(levels.length === expected.length && share <= MOST_OTHER && mean <= MOST_MEAN, `${name}: ${(100 * share).toFixed(1)} % of the squares are others, the mean difference is ${mean.toFixed(1)} of 255`);
     return share;
 }
 

@@ -22,6 +22,12 @@ export function shape(name, attributes = {}, ...children) {
     return made;
 }
 
+/** The names of the processes of a spec by its settings [{ section }], in their order. */
+export function processNames(settings) {
+    const sections = settings.map(({ section }) => section).filter((section) => section.startsWith("process."));
+    return [...new Set(sections)].map((section) => section.slice("process.".length));
+}
+
 /** Seconds as "2 h 16 min". */
 export function hours(seconds) {
     const minutes = Math.round(seconds / 60), rest = minutes % 60;

@@ -1,5 +1,5 @@
 // The form: the values that matter for the product first, then all keys in groups; those at their defaults are folded.
-import { byId, element } from "./dom.js";
+import { byId, element, processNames } from "./dom.js";
 import { Field } from "./fields.js";
 
 /** For each product the keys that come first, with other words where the key's own say too little; and its groups in order. */
@@ -77,13 +77,11 @@ export class Form {
     /** Shows the values of the spec: settings [{ section, key, value, given }], for a star or for a drawing. */
     show(settings, isDrawn) {
         const product = isDrawn ? "drawing" : "star";
-        const processes = [...new Set(settings.map(({ section }) => section).filter((section) => section.startsWith("process.")))];
+        const processes = processNames(settings).map((name) => `process.${name}`);
         const layout = [product, ...processes].join();
         if (layout !== this.#layout) this.#build(product, processes);
         this.#layout = layout;
         const given = new Set();
-        // A process lists the keys that it has: all others are those of [seal].
-        for (const [path, field] of this.#fields) if (path.startsWith("process.")) field.show({ value: "", given: false });
         for (const setting of settings) {
             const path = setting.section ? `${setting.section}.${setting.key}` : setting.key, field = this.#fields.get(path);
             if (!field) continue;
@@ -91,6 +89,8 @@ export class Form {
             field.show({ ...setting, value });
             if (setting.given) given.add(path);
         }
+        // A process lists the keys that it has: all others are those of [seal].
+        for (const [path, field] of this.#fields) if (path.startsWith("process.") && !given.has(path)) field.show({ value: "", given: false });
         for (const group of this.#groups) this.#fold(group, given);
     }
 

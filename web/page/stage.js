@@ -1,6 +1,6 @@
 // The stage: one of four views of the spec, and the faults in front of it.
 import { Canvas } from "./canvas.js";
-import { byId, element, listenTabs, select } from "./dom.js";
+import { byId, element, listenTabs, processNames, select } from "./dom.js";
 import { drawingPicture, sheetPicture } from "./picture.js";
 import { ReportView } from "./report.js";
 import { askRole, closeRoles } from "./roles.js";
@@ -64,8 +64,7 @@ export class Stage {
         this.#isRefused = !overview;
         if (sheets) this.#sheets = sheets;
         if (sheets || drawing) this.#drawing = drawing ?? null;
-        const processes = (settings ?? []).map(({ section }) => section).filter((section) => section.startsWith("process."));
-        if (settings) this.#processes = [...new Set(processes.map((section) => section.slice("process.".length)))];
+        if (settings) this.#processes = processNames(settings);
         if (overview) this.#isFlat = overview.stars === 0 && overview.prediction?.model === "none";
         const measures = overview?.prediction?.measures ?? [];
         if (sheets || measures.length > 0) this.#measures = measures;

@@ -30,7 +30,7 @@ pub use pieces::DrawnPieces;
 use crate::drawn::clearance::Clearance;
 use crate::drawn::inner::within_air;
 use crate::drawn::layer_name::layer_names;
-use crate::drawn::process::SeamProcesses;
+use crate::drawn::process::{SeamProcesses, process_entry};
 use crate::drawn::proposal::LeftOut;
 use crate::star_seam::MOUTH_OVERRUN;
 use crate::{Circle, PaperSeparator, Refusal, RefusalCode, Refusals, SeamLines, Warning};
@@ -259,6 +259,8 @@ pub struct RoledFigure {
     pub layer: String,
     /// Role of the element; `None` if the spec gives it none.
     pub role: Option<LayerRole>,
+    /// The name that decides the process of its seams, and that process; `None` where it is that of `[seal]`.
+    pub process: Option<(String, String)>,
     /// Curve of the element; of a point a line without length.
     pub path: Path,
 }
@@ -283,6 +285,7 @@ pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
                 .collect(),
             layer: entry.map_or(name, |(layer, _)| layer.as_str()).to_owned(),
             role: entry.map(|(_, role)| *role),
+            process: process_entry(drawing, element).map(|entry| drawing.processes[entry].clone()),
             path,
         }
     });

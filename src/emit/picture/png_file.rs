@@ -49,10 +49,10 @@ pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -
 fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
     let mut smallest: Option<(u64, Vec<u8>)> = None;
     for filter in [Filter::Up, Filter::Sub, Filter::Average, Filter::Paeth] {
-        let differences = differences(row, above, filter);
-        let sum = differences[1..].iter().map(|byte| u64::from(byte.cast_signed().unsigned_abs())).sum();
+        let bytes = differences(row, above, filter);
+        let sum = bytes[1..].iter().map(|byte| u64::from(byte.cast_signed().unsigned_abs())).sum();
         if smallest.as_ref().is_none_or(|(least, _)| sum <= *least) {
-            smallest = Some((sum, differences));
+            smallest = Some((sum, bytes));
         }
         if sum == 0 {
             break;
@@ -64,16 +64,21 @@ fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
 /// The number of `filter`, then what it leaves of `row`, which has the row `above` it.
 fn differences(row: &[u8], above: &[u8], filter: Filter) -> Vec<u8> {
     let to_left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
-    let bytes = row.iter().enumerate().map(|(k, &byte)| {
-        let expected = match filter {
-            Filter::Sub => to_left(row, k),
-            Filter::Up => above[k],
-            Filter::Average => to_left(row, k).midpoint(above[k]),
-            Filter::Paeth => paeth(to_left(row, k), above[k], to_left(above, k)),
-        };
-        byte.wrapping_sub(expected)
-    });
-    std::iter::once(filter as u8).chain(bytes).collect()
+    let mut differences = Vec::with_capacity(row.len() + 1);
+    differences.push(filter as u8);
+    differences.extend_from_slice(row);
+    let bytes = differences[1..].iter_mut().enumerate();
+    match filter {
+        Filter::Sub => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k))),
+        Filter::Up => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(above[k])),
+        Filter::Average => {
+            bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k).midpoint(above[k])));
+        }
+        Filter::Paeth => bytes.for_each(|(k, byte)| {
+            *byte = byte.wrapping_sub(paeth(to_left(row, k), above[k], to_left(above, k)));
+        }),
+    }
+    differences
 }
 
 /// Of the bytes to the left, above, and above to the left the nearest to `left + above - corner`, by PNG's predictor of Paeth.

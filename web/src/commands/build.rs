@@ -25,14 +25,11 @@ use crate::question::{Tell, text};
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let loaded = Given::of(question, files)?;
+    let request = request(question);
+    no_requested_programs(&loaded.reading.spec, &request)
+        .map_err(|refusals| refused_design(&loaded, refusals))?;
     let (forecast, mut answer, mut faults) =
         judged(&loaded, text(question, "model").and_then(model), Some(tell))?;
-    let request = request(question);
-    if let Some(refusal) = no_requested_programs(&loaded.reading.spec, &request) {
-        faults.extend(of_design(&loaded.source, &loaded.reading, Refusals::from_iter([refusal])));
-        answer["faults"] = faults.into();
-        return Err(answer);
-    }
     let sources = Sources { spec: &loaded.source.text, machine: &loaded.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &request);
@@ -69,6 +66,20 @@ pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Valu
     }
 }
 
+/// An answer with the name and the settings of the spec.
+fn named(loaded: &Given) -> Value {
+    json!({ "name": loaded.reading.spec.name, "settings": form_settings(&loaded.source) })
+}
+
+/// The answer without an overview about a design that is refused.
+fn refused_design(loaded: &Given, refusals: Refusals) -> Value {
+    let mut faults = listed(&loaded.reading.warnings);
+    faults.extend(of_design(&loaded.source, &loaded.reading, refusals));
+    let mut answer = named(loaded);
+    answer["faults"] = faults.into();
+    answer
+}
+
 /// The forecast, the answer with name, settings and overview, and the faults found so far.
 ///
 /// # Errors
@@ -79,16 +90,9 @@ fn judged(
     tell: Option<Tell>,
 ) -> Result<(Forecast, Value, Vec<Value>), Value> {
     let Given { source, reading, .. } = loaded;
-    let mut answer = json!({ "name": reading.spec.name, "settings": form_settings(source) });
+    let forecast = forecast(loaded, model, tell).map_err(|refusals| refused_design(loaded, refusals))?;
+    let mut answer = named(loaded);
     let mut faults = listed(&reading.warnings);
-    let forecast = match forecast(loaded, model, tell) {
-        Ok(forecast) => forecast,
-        Err(refusals) => {
-            faults.extend(of_design(source, reading, refusals));
-            answer["faults"] = faults.into();
-            return Err(answer);
-        }
-    };
     let sources = Sources { spec: &source.text, machine: &loaded.machine_text };
     faults.extend(of_warnings(source, reading, &forecast.warnings(sources)));
     answer["overview"] = overview(&forecast);

@@ -51,9 +51,7 @@ pub(super) fn process(question: &Value) -> Result<Value, Value> {
             None => lists.push((process, vec![seam])),
         }
     }
-    let lists: Vec<String> =
-        lists.iter().map(|(process, seams)| format!("{} = {}", json!(process), json!(seams))).collect();
-    let value = (!lists.is_empty()).then(|| format!("{{ {} }}", lists.join(", ")));
+    let value = (!lists.is_empty()).then(|| table_of_lists(&lists));
     let edited = text_edit::edited(&spec_source, &[(key::drawing::PROCESS, value.as_deref())]);
     let mut edited = edited.map_err(|faults| refused(&faults))?;
     if !process.is_empty() && !reading.spec.processes.iter().any(|own| own.name == process) {
@@ -62,6 +60,15 @@ pub(super) fn process(question: &Value) -> Result<Value, Value> {
             .map_err(|faults| refused(&faults))?;
     }
     Ok(json!({ "spec": edited }))
+}
+
+/// Lists of names as an inline table of TOML, each at its key: the word of a role, or the name of a process.
+fn table_of_lists(lists: &[(&str, Vec<&str>)]) -> String {
+    let entry = |(key, names): &(&str, Vec<&str>)| {
+        let names: Vec<String> = names.iter().map(|name| json!(name).to_string()).collect();
+        format!("{key} = [{}]", names.join(", "))
+    };
+    format!("{{ {} }}", lists.iter().map(entry).collect::<Vec<_>>().join(", "))
 }
 
 /// The spec with the role `role` for the `layer` of its drawing; the order of the other layers stays.
@@ -81,12 +88,17 @@ pub(super) fn role(question: &Value) -> Result<Value, Value> {
         Some((_, own)) => *own = role,
         None => layers.push((layer.to_owned(), role)),
     }
-    let lists = LayerRole::ALL.iter().filter_map(|(word, role)| {
-        let names = layers.iter().filter(|(_, own)| own == role).map(|(name, _)| json!(name).to_string());
-        let names: Vec<String> = names.collect();
-        (!names.is_empty()).then(|| format!("{word} = [{}]", names.join(", ")))
-    });
-    let value = format!("{{ {} }}", lists.collect::<Vec<_>>().join(", "));
+    let layers_of = |role: LayerRole| {
+        layers
+            .iter()
+            .filter(move |(_, layer_role)| *layer_role == role)
+            .map(|(name, _)| name.as_str())
+            .collect()
+    };
+    let mut lists: Vec<(&str, Vec<&str>)> =
+        LayerRole::ALL.iter().map(|(word, role)| (*word, layers_of(*role))).collect();
+    lists.retain(|(_, names)| !names.is_empty());
+    let value = table_of_lists(&lists);
     let edited = text_edit::edited(&spec_source, &[(key::drawing::LAYERS, Some(&value))]);
     Ok(json!({ "spec": edited.map_err(|faults| refused(&faults))? }))
 }
@@ -123,12 +135,12 @@ mod tests {
             answer["spec"].as_str().unwrap_or_default().to_owned()
         };
         let weak = process_of(spec, "tear", "weak");
-        assert!(weak.contains(r#"process = { "weak" = ["tear"] }"#), "{weak}");
+        assert!(weak.contains(r#"process = { weak = ["tear"] }"#), "{weak}");
         assert!(weak.ends_with("[process.weak]\nspeed = \"0.1 mm/s\"\n"), "{weak}");
         let two = process_of(&weak, "seam", "weak");
-        assert!(two.contains(r#"process = { "weak" = ["tear","seam"] }"#), "{two}");
+        assert!(two.contains(r#"process = { weak = ["tear", "seam"] }"#), "{two}");
         let strong = process_of(&two, "tear", "strong");
-        assert!(strong.contains(r#"process = { "weak" = ["seam"], "strong" = ["tear"] }"#), "{strong}");
+        assert!(strong.contains(r#"process = { weak = ["seam"], strong = ["tear"] }"#), "{strong}");
         let none = process_of(&weak, "tear", "");
         assert!(!none.contains("process = {") && none.contains("[process.weak]"), "{none}");
         let slower = super::edit(&json!({ "spec": weak, "key": "process.weak.passes", "value": "2" }));

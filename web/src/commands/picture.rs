@@ -77,7 +77,8 @@ fn seam(forecast: &Forecast, placed: &PlacedPart, seam: &Seam, order: usize, top
     })
 }
 
-/// The figures of the drawing of `spec`, each with its names, its role and the process that the spec names for it; null if the spec has none, or the file cannot be read.
+/// The figures of the drawing of `spec`, each with its names, its role, the process that the spec names for it, and the name that
+/// decides this process; null if the spec has none, or the file cannot be read.
 pub(super) fn drawing(spec: &Spec) -> Value {
     let figures = roled_figures(spec);
     if figures.is_empty() {
@@ -85,18 +86,12 @@ pub(super) fn drawing(spec: &Spec) -> Value {
     }
     let bounds = figures.iter().map(|figure| figure.path.bounds()).fold(Bounds::EMPTY, Bounds::union);
     let [x, y] = picture_point(Point::new(bounds.min.x, bounds.max.y), 0.0);
-    let process_of = |name: &str| {
-        let mut chosen = spec.drawing.iter().flat_map(|drawing| &drawing.processes);
-        chosen.find(|(named, _)| named == name).map(|(_, process)| process)
-    };
     let figures = figures.iter().map(|figure| {
-        let role = figure.role.map(LayerRole::word);
-        let names =
-            std::iter::once(figure.id.as_str()).chain(figure.layers.iter().map(String::as_str)).chain(role);
+        let (process_of, process) = figure.process.as_ref().map(|(name, process)| (name, process)).unzip();
         json!({
-            "process": names.into_iter().find_map(process_of),
             "id": figure.id, "layers": figure.layers, "layer": figure.layer,
-            "role": role, "path": words(&figure.path, 0.0),
+            "role": figure.role.map(LayerRole::word), "process": process, "process_of": process_of,
+            "path": words(&figure.path, 0.0),
         })
     });
     json!({ "box": [x, y, bounds.width(), bounds.height()], "figures": figures.collect::<Vec<_>>() })

@@ -39,9 +39,11 @@ impl<'a> SeamProcesses<'a> {
         let by_name = self.spec.processes.iter().position(|(name, _)| *name == seam.name);
         let entries: BTreeMap<Option<usize>, &Element> = match by_name {
             Some(_) => BTreeMap::new(),
-            None => {
-                self.elements_of(seam).into_iter().map(|element| (self.entry(element), element)).collect()
-            }
+            None => self
+                .elements_of(seam)
+                .into_iter()
+                .map(|element| (process_entry(self.spec, element), element))
+                .collect(),
         };
         let of_entry =
             |entry: Option<usize>| entry.map_or(DEFAULT_PROCESS, |entry| &self.spec.processes[entry].1);
@@ -58,13 +60,6 @@ impl<'a> SeamProcesses<'a> {
             self.is_used[*entry] = true;
         }
         Ok(of_entry(deciding.first().copied()).to_owned())
-    }
-
-    /// The entry of the spec that gives `element` a process: its innermost name, else its role.
-    fn entry(&self, element: &Element) -> Option<usize> {
-        let position = |name: &str| self.spec.processes.iter().position(|(known, _)| known == name);
-        let of_role = || position(self.spec.role(element.names())?.word());
-        element.names().find_map(position).or_else(of_role)
     }
 
     /// The elements along which `seam` is drawn.
@@ -137,6 +132,13 @@ impl<'a> SeamProcesses<'a> {
         };
         Refusal::new(key::drawing::PROCESS, RefusalCode::ProcessWithoutSeam, fault, remedy)
     }
+}
+
+/// The position of the entry in `spec` that gives `element` a process: that of its innermost name, else of its role.
+pub(super) fn process_entry(spec: &DrawingSpec, element: &Element) -> Option<usize> {
+    let position = |name: &str| spec.processes.iter().position(|(entry, _)| entry == name);
+    let of_role = || position(spec.role(element.names())?.word());
+    element.names().find_map(position).or_else(of_role)
 }
 
 /// The refusal of a seam whose elements have different processes.
