@@ -167,6 +167,8 @@ pub(super) struct FamilyResults {
 impl FamilyResults {
     /// The inflated chamber `case`, computed as `tube` with this treatment of `wrinkles`; each number gets its unit back.
     pub(super) fn answer(self, case: &FlatRegion, tube: &Tube, wrinkles: Wrinkles) -> InflatedRegion {
+        // The meshes were computed in units of the chamber's width and the fabric's stretching stiffness. Here each number
+        // gets its unit back.
         let (w, y) = (tube.width, tube.fabric.stretch);
         let seams = seam_pulls(case, &self.pulls, [w, y]);
         let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));

@@ -118,15 +118,15 @@ fn attempts(bendability: f64, most_resolved: f64, cells: f64) -> Vec<Attempt> {
     let last_treatment = (bendability <= SURELY_RESOLVED).then_some(bendability);
     treatments.push(last_treatment);
     treatments.dedup();
-    let mut tries: Vec<Attempt> =
+    let mut sequence: Vec<Attempt> =
         treatments.into_iter().map(|resolved| Attempt { cells, resolved }).collect();
     let other_cells = OTHER_MESHES.map(|times| (times * cells).max(LEAST_CELLS));
     for attempt in other_cells.map(|cells| Attempt { cells, resolved: last_treatment }) {
-        if !tries.contains(&attempt) {
-            tries.push(attempt);
+        if !sequence.contains(&attempt) {
+            sequence.push(attempt);
         }
     }
-    tries
+    sequence
 }
 
 /// Inflates one chamber, on meshes of about the requested fineness.
@@ -299,7 +299,7 @@ mod tests {
     use super::*;
 
     /// Edges across and the resolved 1/eps of each try.
-    fn tries(bendability: f64, most_resolved: f64, cells: f64) -> Vec<(f64, Option<f64>)> {
+    fn treatments_on_meshes(bendability: f64, most_resolved: f64, cells: f64) -> Vec<(f64, Option<f64>)> {
         attempts(bendability, most_resolved, cells)
             .iter()
             .map(|attempt| (attempt.cells, attempt.resolved))
@@ -329,16 +329,16 @@ mod tests {
             (5e6, MOST_RESOLVED_OF_TUBES, vec![None]),
         ] {
             assert_eq!(
-                tries(bendability, most_resolved, 10.0),
+                treatments_on_meshes(bendability, most_resolved, 10.0),
                 with_other_meshes(&treatments),
                 "{bendability}"
             );
         }
         // Meshes of one edge across are the coarsest.
         assert_eq!(
-            tries(800.0, MOST_RESOLVED, 1.0),
+            treatments_on_meshes(800.0, MOST_RESOLVED, 1.0),
             [(1.0, Some(800.0)), (1.2, Some(800.0)), (1.45, Some(800.0))]
         );
-        assert_eq!(tries(2e5, MOST_RESOLVED, 1.0), [(1.0, None), (1.2, None), (1.45, None)]);
+        assert_eq!(treatments_on_meshes(2e5, MOST_RESOLVED, 1.0), [(1.0, None), (1.2, None), (1.45, None)]);
     }
 }
