@@ -250,7 +250,7 @@ keyed! {
         /// Where on the flat star the seal's pull is largest, mm. By the shell only.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub seal_pull_at_mm: Option<[f64; 2]>,
-        /// Pressure at which the pull on the seal is the strength of its seam, kPa. Needs that strength.
+        /// Pressure at which the pull on the seal is the strength of its seam, kPa. Needs the strengths of both loops.
         pub burst_pressure_kPa: Option<f64>,
         /// Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only.
         #[serde(skip_serializing_if = "Option::is_none")]

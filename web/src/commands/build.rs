@@ -25,14 +25,14 @@ use crate::question::{Tell, text};
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let loaded = Given::of(question, files)?;
-    let request = request(question);
-    no_requested_programs(&loaded.reading.spec, &request)
+    let build_request = request(question);
+    no_requested_programs(&loaded.reading.spec, &build_request)
         .map_err(|refusals| refused_design(&loaded, refusals))?;
     let (forecast, mut answer, mut faults) =
         judged(&loaded, text(question, "model").and_then(model), Some(tell))?;
     let sources = Sources { spec: &loaded.source.text, machine: &loaded.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
-    let built = forecast.build(sources, &request);
+    let built = forecast.build(sources, &build_request);
     let files = if question["prove"] == false || !is_taken {
         let is_shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
         let files = built.artifacts.into_iter().filter(|file| is_taken || is_shown(file.output.kind));

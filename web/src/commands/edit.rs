@@ -88,15 +88,13 @@ pub(super) fn role(question: &Value) -> Result<Value, Value> {
         Some((_, own)) => *own = role,
         None => layers.push((layer.to_owned(), role)),
     }
-    let layers_of = |role: LayerRole| {
-        layers
-            .iter()
-            .filter(move |(_, layer_role)| *layer_role == role)
-            .map(|(name, _)| name.as_str())
-            .collect()
-    };
-    let mut lists: Vec<(&str, Vec<&str>)> =
-        LayerRole::ALL.iter().map(|(word, role)| (*word, layers_of(*role))).collect();
+    let mut lists: Vec<(&str, Vec<&str>)> = LayerRole::ALL
+        .iter()
+        .map(|(word, role)| {
+            let names = layers.iter().filter(|(_, layer_role)| layer_role == role);
+            (*word, names.map(|(name, _)| name.as_str()).collect())
+        })
+        .collect();
     lists.retain(|(_, names)| !names.is_empty());
     let value = table_of_lists(&lists);
     let edited = text_edit::edited(&spec_source, &[(key::drawing::LAYERS, Some(&value))]);
