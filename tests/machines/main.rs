@@ -13,6 +13,7 @@ mod job_size;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;
+mod pouch;
 mod printer_lines;
 mod printers;
 mod processes;
