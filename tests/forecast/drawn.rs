@@ -189,7 +189,7 @@ fn a_star_drawn_as_a_region_is_the_star() {
     let found = chambers(&part.edges, &[], std::slice::from_ref(&part.outline.hole)).expect("chambers");
     let [chamber] = &found[..] else { panic!("{found:?}") };
     let case = FlatRegion {
-        chamber: chamber.by(1e3),
+        chamber: chamber.in_units(1e3),
         fabric,
         pressure,
         band,
