@@ -65,20 +65,20 @@ impl StripGrid {
             format!("a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one")
         })
         };
-        outside("temperature", &self.temperatures, TEMPERATURES)
-            .or_else(|| outside("speed", &self.speeds, SEAL_SPEEDS))
-            .or_else(|| outside("height", &self.heights, CONTACT))
+        out_of_range("temperature", &self.temperatures, TEMPERATURES)
+            .or_else(|| out_of_range("speed", &self.speeds, SEAL_SPEEDS))
+            .or_else(|| out_of_range("height", &self.heights, CONTACT))
             .or_else(too_low)
             .or_else(|| self.alike())
     }
 
     /// Two settings with the same file name, as text with the required difference; `None` if all names differ.
     fn alike(&self) -> Option<String> {
-        let mut known = HashMap::new();
-        let said = |(t, v, h)| (program_name(self, t, v, h), format!("{t} at {v}, Z {h}"));
-        let (first, twin) = self.settings().map(said).find_map(|(name, setting)| {
-            let first = known.get(&name).cloned();
-            let _ = known.entry(name).or_insert_with(|| setting.clone());
+        let mut first_settings = HashMap::new();
+        let name_and_setting = |(t, v, h)| (program_name(self, t, v, h), format!("{t} at {v}, Z {h}"));
+        let (first, twin) = self.settings().map(name_and_setting).find_map(|(name, setting)| {
+            let first = first_settings.get(&name).cloned();
+            let _ = first_settings.entry(name).or_insert_with(|| setting.clone());
             Some((first?, setting))
         })?;
         Some(format!(
@@ -108,7 +108,7 @@ impl StripGrid {
 }
 
 /// The first of `values` that is not `allowed`, as text with the allowed ones.
-pub(super) fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
+pub(super) fn out_of_range<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
     let wrong = values.iter().find(|value| !allowed.contains(value.base()))?;
     Some(format!("a {word} of {wrong}; it {}", allowed.in_words(Q::KIND.unit())))
 }
@@ -161,10 +161,10 @@ pub(super) fn program_name(
 
 /// The table to fill in, as CSV.
 pub fn table(strips: &[TestStrip]) -> String {
-    let mut out = String::from("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n");
+    let mut lines = String::from("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n");
     for strip in strips {
         let TestStrip { number, temperature, speed, height, .. } = strip;
-        let _ = writeln!(out, "{number},{},{},{},,", temperature.0, speed.0, height.0);
+        let _ = writeln!(lines, "{number},{},{},{},,", temperature.0, speed.0, height.0);
     }
-    out
+    lines
 }

@@ -37,7 +37,7 @@ fn of_text(text: &str, drawing: &[u8]) -> (Spec, DrawnPieces) {
     let spec = reading.with_drawing(drawing).spec;
     let machine = Machine::builtin("generic").expect("built in");
     let design = Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let pieces = design.drawn().expect("a drawing").clone();
+    let pieces = design.drawn_pieces().expect("a drawing").clone();
     (spec, pieces)
 }
 
