@@ -85,7 +85,7 @@ fn build_proven(
     anyway: bool,
     line: &Line,
 ) -> Result<Proven, Stopped> {
-    no_requested_programs(&loaded.reading.spec, request).map_err(Stopped::Refused)?;
+    no_requested_programs(&loaded.reading.spec, &loaded.machine, request).map_err(Stopped::Refused)?;
     line.tell(0.0, "design, plan and prediction");
     let planned =
         Planned::new(loaded.reading.spec.clone(), loaded.machine.clone()).map_err(Stopped::Refused)?;

@@ -28,9 +28,9 @@ impl Kinds {
         KindRequest { only: self.only.clone(), with: self.with.clone() }
     }
 
-    /// Refuses programs for a heat press.
+    /// Refuses programs that the machine does not run.
     pub(super) fn refuse_programs(&self, loaded: &Loaded) -> Result<(), Failure> {
-        no_requested_programs(&loaded.reading.spec, &self.request())
+        no_requested_programs(&loaded.reading.spec, &loaded.machine, &self.request())
             .map_err(|refusals| loaded.refused(refusals))
     }
 

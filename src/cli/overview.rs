@@ -202,9 +202,10 @@ fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
 fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
-        vec![("files", format!("{number} in {}", escaped_line(target))), ("proven", scope(proven.proof()))];
-    rows.extend(to_look_at(proven).map(|picture| ("look at", escaped_line(target.join(picture)))));
-    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
+        vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
+    rows.extend(to_look_at(proven).map(|picture| ("look at", shown(target.join(picture)))));
+    let traces = named(proven, Kind::TraceGcode);
+    let [seals, packages] = [Kind::SealGcode, Kind::Seal3mf].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
             Some(format!("{trace} first (moves only, seals nothing), then {seal}{}", more_text(&seals)))
@@ -213,6 +214,9 @@ fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
+    let package =
+        packages.first().map(|first| format!("{first}{}: the same program in a package", more(&packages)));
+    rows.extend(package.map(|package| ("package", package)));
     let cut = named(proven, Kind::CutGcode);
     let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more_text(&cut)));
     rows.extend(run_cut.map(|run_cut| ("cut", run_cut)));
@@ -288,7 +292,10 @@ pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
 fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
-    let programs = [Kind::TraceGcode, Kind::SealGcode, Kind::CutGcode].map(|kind| named(proven, kind));
+    let [traces, seals, packages, cuts] =
+        [Kind::TraceGcode, Kind::SealGcode, Kind::Seal3mf, Kind::CutGcode].map(|kind| named(proven, kind));
+    // A package holds the program that lies beside it.
+    let programs = [traces, if seals.is_empty() { packages } else { seals }, cuts];
     json!({
         "directory": target.to_string_lossy(),
         "files": files,

@@ -2,6 +2,7 @@
 
 mod chords;
 mod dxf;
+mod package;
 mod palette;
 mod pdf;
 mod picture;
@@ -14,6 +15,7 @@ mod thumbnails;
 
 pub use chords::chords;
 pub use dxf::dxf;
+pub use package::package;
 pub use pdf::pdf;
 pub use preview::{FaultMark, GridCell, Preview, cells, faults, is_faults};
 pub use program::gcode::{FEED_CHECK_TITLE, Facts, estimate, feed_check, steps_text};

@@ -10,7 +10,7 @@ use proof::artifact::{Kind, KindRequest};
 use proof::verify::OutputFiles;
 
 /// The kinds that are turned with the sheet.
-const PROGRAMS: [Kind; 3] = [Kind::TraceGcode, Kind::SealGcode, Kind::CutGcode];
+const PROGRAMS: [Kind; 4] = [Kind::TraceGcode, Kind::SealGcode, Kind::Seal3mf, Kind::CutGcode];
 
 /// The build whose programs are those of the published `files`, turned and shifted to a sheet whose marks were found at `measured`.
 ///

@@ -63,6 +63,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
         }
+        Subject::Seal if output.kind.format() == Format::Package => return package(forecast, output),
         Subject::PressPlan => {
             let plan = PressPlan::new(&forecast.spec, &forecast.design)?;
             let page = plan.page(&forecast.spec.name, &forecast.design);
@@ -106,6 +107,7 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Format::Svg => preview.svg(output.part.sheet()?).map(String::into_bytes),
         Format::Toml
         | Format::Gcode
+        | Format::Package
         | Format::Dxf
         | Format::Pdf
         | Format::Stl
@@ -141,14 +143,24 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     }))
 }
 
-/// The program of `programs` for the output's piece, or for its sheet.
+/// The program of `programs` for the output's piece, or for its sheet, as G-code.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
+    Some(emit::gcode(&forecast.spec, &forecast.machine, program_for(programs, output)?))
+}
+
+/// The program of `programs` for the output's piece, or for its sheet.
+fn program_for<'p>(programs: &'p [Program], output: &Output) -> Option<&'p Program> {
     let is_for = |program: &&Program| match output.part.sealed() {
         Some(number) => program.numbers() == [number],
         None => Some(program.sheet) == output.part.sheet(),
     };
-    let program = programs.iter().find(is_for)?;
-    Some(emit::gcode(&forecast.spec, &forecast.machine, program))
+    programs.iter().find(is_for)
+}
+
+/// The sealing program for the output's piece or sheet, in a package.
+fn package(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
+    let program = program_for(&forecast.programs, output)?;
+    emit::package(&emit::gcode(&forecast.spec, &forecast.machine, program), program.time)
 }
 
 /// The program that cuts the output's sheet.
@@ -167,8 +179,12 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Stl => emit::stl(&output.solid_name(&spec.name)?, &drawing, output.thickness(spec)?),
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption()?)),
-        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb | Format::Html => {
-            return None;
-        }
+        Format::Toml
+        | Format::Gcode
+        | Format::Package
+        | Format::Json
+        | Format::Png
+        | Format::Glb
+        | Format::Html => return None,
     })
 }

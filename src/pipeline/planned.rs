@@ -5,7 +5,7 @@ use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::{Program, Step};
-use proof::artifact::{Format, KindRequest};
+use proof::artifact::{Format, Kind, KindRequest, takes_packages};
 use spec::{Machine, SealingTool, Spec, key};
 
 /// A gripper that the machine can seal.
@@ -82,15 +82,26 @@ pub fn no_programs(spec: &Spec, subject: &str) -> Option<Refusal> {
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, problem, remedy))
 }
 
-/// Refuses the first program that `request` names, for a press.
+/// The refusal of `kind`, a package, for a machine that takes none; `None` for one that does, and for other kinds.
+fn no_package(machine: &Machine, kind: Kind) -> Option<Refusal> {
+    let dialect = machine.controller.dialect;
+    if kind.format() != Format::Package || takes_packages(dialect) {
+        return None;
+    }
+    let found = format!("{kind} is for Bambu Lab's printers; {} reads plain G-code", dialect.title());
+    let remedy = "ask for seal-gcode, or name profile = \"bambu\" in [machine]";
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPackage, found, remedy))
+}
+
+/// Refuses the first program that `request` names and `machine` does not run: any for a press, a package for most machines.
 ///
 /// # Errors
-/// The refusal, if the spec has a press and the request names a program.
-pub fn no_requested_programs(spec: &Spec, request: &KindRequest) -> Result<(), Refusals> {
-    let program = request.only.iter().chain(&request.with).find(|kind| kind.format() == Format::Gcode);
-    let refusals: Refusals =
-        program.and_then(|program| no_programs(spec, program.name())).into_iter().collect();
-    refusals.or_value(())
+/// The refusal, if the request names such a program.
+pub fn no_requested_programs(spec: &Spec, machine: &Machine, request: &KindRequest) -> Result<(), Refusals> {
+    let mut programs = request.only.iter().chain(&request.with).filter(|kind| kind.is_program());
+    let refusal =
+        programs.find_map(|kind| no_programs(spec, kind.name()).or_else(|| no_package(machine, *kind)));
+    refusal.into_iter().collect::<Refusals>().or(())
 }
 
 /// A failed prediction, as a refusal at the key that causes it.

@@ -57,7 +57,8 @@ impl Proven {
 
     /// Time of all sealing programs that were written, s; `None` if none was.
     pub fn sealing_time(&self) -> Option<f64> {
-        let has_program = self.built.artifacts.iter().any(|artifact| artifact.output.kind == Kind::SealGcode);
+        let is_seal = |kind: Kind| kind.is_program() && kind.subject() == Subject::Seal;
+        let has_program = self.built.artifacts.iter().any(|artifact| is_seal(artifact.output.kind));
         has_program.then(|| self.built.forecast.programs.iter().map(|program| program.time).sum())
     }
 

@@ -47,8 +47,9 @@ const HOSTILE: [&str; 28] = [
 ];
 
 /// All kinds that have words in them, and one of each format.
-const KINDS: [Kind; 12] = [
+const KINDS: [Kind; 13] = [
     Kind::SealGcode,
+    Kind::Seal3mf,
     Kind::TraceGcode,
     Kind::SealSvg,
     Kind::SealDxf,

@@ -12,6 +12,7 @@ mod hostile;
 mod layers;
 mod links;
 mod marks;
+mod packages;
 mod pictures;
 mod pressed;
 mod published;

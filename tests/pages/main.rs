@@ -16,6 +16,8 @@ mod output;
 mod page;
 mod reference;
 mod trade;
+#[path = "../support/zip.rs"]
+mod zip;
 
 use std::path::{Path, PathBuf};
 

@@ -5,6 +5,7 @@ pub mod dice;
 pub mod inputs;
 pub mod keys;
 pub mod program;
+pub mod zip;
 
 use std::f64::consts::PI;
 

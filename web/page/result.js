@@ -6,7 +6,7 @@ import { zipped } from "./zip.js";
 const LIFETIME = 60_000;
 /** The files by what is done with them, in that order; a kind begins with one of the words. */
 const USES = [
-    ["Run on the machine: first the trace, in the air", ["trace", "seal-gcode", "cut-gcode"]],
+    ["Run on the machine: first the trace, in the air", ["trace", "seal-gcode", "seal-3mf", "cut-gcode"]],
     ["Cut", ["outline", "cut", "seal-"]],
     ["Coat, separate, stack", ["mask", "separator", "pieces", "frame", "press"]],
     ["Look at and keep", ["report", "preview", "scene", "surface", "spec", "machine", "drawing", "prediction", ""]],

@@ -42,6 +42,7 @@ codes! {
         NoChop "no-chop" "The slow seal cannot be chopped into strokes; give the profile what is missing, or another speed.",
         NoMarks "no-marks" "Programs cannot stop above marks: a sheet has no two registration holes; make hole_diameter larger.",
         NoOverlap "no-overlap" "A leak: a loop closes without sealing any of it twice; make overlap larger.",
+        NoPackage "no-package" "Only Bambu Lab's printers take programs in packages; ask for seal-gcode, or name profile bambu.",
         NoPlate "no-plate" "The mask's plate cannot be made so much larger than the outline; make border smaller.",
         NoPrediction "no-prediction" "The mechanics has no solution for this spec; change the key shown, or delete its `load` section.",
         NoPress "no-press" "The profile is a heat press and the spec has no [press], or the reverse; write both, or none.",

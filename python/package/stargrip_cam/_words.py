@@ -12,6 +12,7 @@ FileKind = Literal[
     "drawing-svg",
     "drawing-dxf",
     "seal-gcode",
+    "seal-3mf",
     "trace-gcode",
     "cut-gcode",
     "seal-svg",

@@ -5,6 +5,8 @@ mod png_file;
 mod svg;
 mod typeface;
 
+pub(super) use png_file::crc32;
+
 use geom::{Bounds, Path, Point, Vec2};
 
 /// Marks on a page, group by group, the later above the earlier.

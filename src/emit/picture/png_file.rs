@@ -108,7 +108,7 @@ fn add_chunk(file: &mut Vec<u8>, name: [u8; 4], content: &[u8]) -> Option<()> {
 }
 
 /// CRC-32 of `bytes`, four bits at a time.
-fn crc32(bytes: &[u8]) -> u32 {
+pub(in crate::emit) fn crc32(bytes: &[u8]) -> u32 {
     let next = |crc: u32| REMAINDERS[(crc & 15) as usize] ^ (crc >> 4);
     !bytes.iter().fold(u32::MAX, |crc, byte| next(next(crc ^ u32::from(*byte))))
 }

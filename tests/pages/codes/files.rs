@@ -9,6 +9,7 @@ use stargrip_cam::spec::Source;
 use stargrip_cam::verify::OutputFiles;
 
 use super::specs::Message;
+use crate::zip;
 
 /// A build with one changed file.
 #[derive(Clone, Copy)]
@@ -40,6 +41,8 @@ enum Base {
     Homed,
     /// Stops above the marks of the sheet.
     Marked,
+    /// A package for a printer.
+    Packed,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -47,6 +50,7 @@ const TRACE: &str = "star-1-trace.gcode";
 const SVG: &str = "sheet-1-seal.svg";
 const DXF: &str = "sheet-1-seal.dxf";
 const PAPER_SVG: &str = "paper-1-separator.svg";
+const PACKAGE: &str = "star-1-seal.gcode.3mf";
 const MOVE: &str = "G1 X256.9069 Y220.6945\n";
 
 const fn edit(code: &'static str, file: &'static str, old: &'static str, new: &'static str) -> Edit {
@@ -67,6 +71,7 @@ const EDITS: &[Edit] = &[
     edit("bad-feed", SEAL, "F6", "F0"),
     edit("bad-number", SEAL, "Y220.6945", "Y"),
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
+    edit_of(Base::Packed, edit("bad-zip", PACKAGE, "G28", "G27")),
     edit_of(Base::Clamped, edit("clamp-in-the-way", SEAL, "M2\n", "G0 X4 Y330 F1200\nM2\n")),
     edit("bad-xml", SVG, "</title>", "</titel>"),
     edit_of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
@@ -179,8 +184,15 @@ fn built(base: Base) -> Built {
         Base::Homed => "[machine]\nprofile = \"klipper-printer\"\n",
         Base::Cooled => "[seal]\ncool = \"3 s\"\n",
         Base::Marked => "[machine]\nmarks = \"pause\"\n",
+        Base::Packed => "[machine]\nprofile = \"bambu\"\n",
     };
-    let text = format!("{PAPER}{rest}");
+    // A printer's bed is smaller than the paper's star.
+    let star = if base == Base::Packed {
+        PAPER.replace("50 mm", "26 mm").replace("30 mm", "16 mm")
+    } else {
+        PAPER.to_owned()
+    };
+    let text = format!("{star}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
     let profile = spec::builtin_machine(&read.machine.profile).map_or_else(clamped, str::to_owned);
     let machine = spec::read_machine(&Source::new("machine.toml", profile.as_str())).expect("valid");
@@ -201,6 +213,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Cooled,
         Base::Homed,
         Base::Marked,
+        Base::Packed,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }
@@ -250,6 +263,13 @@ pub(crate) fn messages() -> Vec<Message> {
         move_corners(files, "star-1-mask.stl", 1.01, 0.0);
     }));
     messages.extend(paper_messages(&builds));
+    let (_, packed) = builds.iter().find(|(base, _)| *base == Base::Packed).expect("built");
+    messages.extend(message_after("wrong-package", packed.output_files(), |files| {
+        let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == PACKAGE).expect("a package");
+        let mut list = zip::parts(bytes);
+        list.retain(|(name, _)| name != "3D/3dmodel.model");
+        *bytes = zip::archive(&list).into();
+    }));
     let (_, tiled) = builds.iter().find(|(base, _)| *base == Base::Tiled).expect("built");
     messages.extend(message_after("wrong-joint", tiled.output_files(), |files| {
         move_corners(files, "star-1-mask-piece-2.stl", 1.0, 0.3);

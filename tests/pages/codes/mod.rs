@@ -27,6 +27,7 @@ const WITHOUT: &[&str] = &[
     "long-link",
     "long-ramp",
     "narrow-mouth",
+    "no-package",
     "no-plate",
     "no-prediction",
     "no-press",

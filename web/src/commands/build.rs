@@ -26,7 +26,7 @@ use crate::question::{Tell, text};
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let loaded = Given::read(question, files)?;
     let build_request = request(question);
-    no_requested_programs(&loaded.reading.spec, &build_request)
+    no_requested_programs(&loaded.reading.spec, &loaded.machine, &build_request)
         .map_err(|refusals| refused_design(&loaded, refusals))?;
     let (forecast, mut answer, mut faults) =
         judged(&loaded, text(question, "model").and_then(model), Some(tell))?;

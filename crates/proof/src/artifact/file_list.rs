@@ -22,6 +22,21 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
     }
 }
 
+/// Whether the machines of `dialect` take programs in packages.
+pub fn takes_packages(dialect: Dialect) -> bool {
+    match dialect {
+        Dialect::Bambu => true,
+        Dialect::Generic
+        | Dialect::Grbl
+        | Dialect::GrblHal
+        | Dialect::FluidNc
+        | Dialect::LinuxCnc
+        | Dialect::Marlin
+        | Dialect::Klipper
+        | Dialect::RepRapFirmware => false,
+    }
+}
+
 /// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
     list_files(spec, dialect, design, request, true)
@@ -58,7 +73,7 @@ impl Parts {
     fn of_kind(kind: Kind) -> Self {
         match kind.subject() {
             Subject::Spec | Subject::Machine | Subject::Drawing => Self::Sources,
-            Subject::Seal if kind.format() == Format::Gcode => Self::Programs,
+            Subject::Seal if kind.is_program() => Self::Programs,
             Subject::Trace => Self::Programs,
             Subject::Seal | Subject::Cut | Subject::Outline | Subject::Preview => Self::Sheets,
             Subject::Mask | Subject::Pieces => Self::Masks,
@@ -119,7 +134,9 @@ fn list_files(
 ) -> Vec<Output> {
     let mut outputs: Vec<Output> = Parts::Sources.whole_design(spec).collect();
     // A press runs no programs.
-    for kind in Parts::Programs.kinds().into_iter().filter(|_| spec.press.is_none()) {
+    let is_run =
+        |kind: &Kind| spec.press.is_none() && (kind.format() != Format::Package || takes_packages(dialect));
+    for kind in Parts::Programs.kinds().into_iter().filter(is_run) {
         programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
@@ -160,6 +177,7 @@ fn list_files(
         Format::Pdf => output.on_paper(design, fits).collect(),
         Format::Toml
         | Format::Gcode
+        | Format::Package
         | Format::Svg
         | Format::Dxf
         | Format::Stl

@@ -54,6 +54,8 @@ spec::choices! {
     Toml: "toml",
     /// A program.
     Gcode: "gcode",
+    /// A program in the package that Bambu Lab's printers take.
+    Package: "gcode.3mf",
     /// A drawing whose page is in mm.
     Svg: "svg",
     /// A drawing in mm.
@@ -121,6 +123,8 @@ kinds! {
     DrawingDxf: "drawing-dxf", Drawing as Dxf;
     /// The sealing program.
     SealGcode: "seal-gcode", Seal as Gcode;
+    /// The sealing program in a package; only for Bambu Lab's printers.
+    Seal3mf: "seal-3mf", Seal as Package;
     /// The trace of the iron's path without heat.
     TraceGcode: "trace-gcode", Trace as Gcode;
     /// The program that cuts the sheet after the seal; only for a spec with a tool for it.
@@ -219,6 +223,11 @@ impl Kind {
         }
     }
 
+    /// Whether a machine runs it.
+    pub fn is_program(self) -> bool {
+        matches!(self.format(), Format::Gcode | Format::Package)
+    }
+
     /// Whether it is made on request only.
     pub fn is_extra(self) -> bool {
         Extra::ALL.iter().any(|(name, _)| *name == self.name())
@@ -290,6 +299,7 @@ mod tests {
             let name = match kind.format() {
                 Format::Toml | Format::Json | Format::Html => subject.to_owned(),
                 Format::Pdf if kind.subject() == Subject::PressPlan => subject.to_owned(),
+                Format::Package => format!("{subject}-3mf"),
                 format => format!("{subject}-{}", format.ending()),
             };
             assert_eq!(kind.name(), name);

@@ -174,6 +174,7 @@ impl Output {
             | Kind::DrawingSvg
             | Kind::DrawingDxf
             | Kind::SealGcode
+            | Kind::Seal3mf
             | Kind::TraceGcode
             | Kind::CutGcode
             | Kind::SealSvg
@@ -241,6 +242,7 @@ impl Output {
             Format::Stl | Format::Pdf => CutEdge::Part,
             Format::Toml
             | Format::Gcode
+            | Format::Package
             | Format::Svg
             | Format::Dxf
             | Format::Json

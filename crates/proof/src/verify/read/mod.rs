@@ -9,3 +9,4 @@ pub(super) mod stl;
 pub(super) mod svg;
 mod svg_path;
 pub(super) mod svg_words;
+pub(super) mod zip;

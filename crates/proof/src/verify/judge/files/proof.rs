@@ -7,7 +7,7 @@ use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
-use crate::verify::judge::files::{drawings, figures, names, solid, welded};
+use crate::verify::judge::files::{drawings, figures, names, package, solid, welded};
 use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -128,12 +128,18 @@ fn file(
             cross.pieces.add(output, facets);
             return (Method::Reading, Some(deviation));
         }
-        (_, Format::Toml | Format::Gcode | Format::Svg | Format::Dxf | Format::Json | Format::Html) => {}
+        (
+            _,
+            Format::Toml
+            | Format::Gcode
+            | Format::Package
+            | Format::Svg
+            | Format::Dxf
+            | Format::Json
+            | Format::Html,
+        ) => {}
     }
-    let Ok(text) = std::str::from_utf8(bytes) else {
-        findings.add(FindingCode::NotText, "bytes that are not UTF-8", "text");
-        return (Method::Reading, None);
-    };
+    let Some(text) = text_of(output, bytes, findings) else { return (Method::Reading, None) };
     match (output.kind.subject(), output.kind.format()) {
         (
             Subject::Spec
@@ -149,7 +155,7 @@ fn file(
             prediction(expected, text, findings);
             (Method::Reading, None)
         }
-        (subject @ (Subject::Seal | Subject::Trace), Format::Gcode) => {
+        (subject @ (Subject::Seal | Subject::Trace), Format::Gcode | Format::Package) => {
             let parts = (expected.spec, expected.machine, expected.design);
             let work = if subject == Subject::Seal { ProgramWork::Seal } else { ProgramWork::Trace };
             let sheet = output.part.sheet().unwrap_or(0);
@@ -182,6 +188,7 @@ fn file(
                 Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
                 Format::Toml
                 | Format::Gcode
+                | Format::Package
                 | Format::Dxf
                 | Format::Pdf
                 | Format::Stl
@@ -200,6 +207,15 @@ fn file(
             (Method::Reading, Some(deviation))
         }
     }
+}
+
+/// The text of a file, or the program in a package; `None`, with a finding, if there is none.
+fn text_of<'a>(output: &Output, bytes: &'a [u8], findings: &mut Findings) -> Option<&'a str> {
+    if output.kind.format() == Format::Package {
+        return package::program_in(bytes, findings);
+    }
+    let text = std::str::from_utf8(bytes);
+    text.map_err(|_| findings.add(FindingCode::NotText, "bytes that are not UTF-8", "text")).ok()
 }
 
 /// The prediction made anew, against the one that was written.

@@ -1,0 +1,184 @@
+//! Reads ZIP archives whose entries are stored (PKWARE's APPNOTE 6.3.10): no compression, no encryption, no gap between entries.
+
+use std::collections::HashSet;
+
+use crate::verify::finding::quote;
+use crate::verify::{Finding, FindingCode};
+
+/// A file in an archive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::verify) struct ZipEntry<'a> {
+    /// Name with its folders: `Metadata/plate_1.gcode`.
+    pub(in crate::verify) name: &'a str,
+    /// Content, which has the checksum that the archive states.
+    pub(in crate::verify) content: &'a [u8],
+}
+
+/// Mark, and length of the fixed part, of the header before a content.
+const LOCAL: (&[u8], usize) = (b"PK\x03\x04", 30);
+/// Mark, and length of the fixed part, of an entry of the directory.
+const CENTRAL: (&[u8], usize) = (b"PK\x01\x02", 46);
+/// Mark and length of the record at the end of an archive without a comment.
+const END: (&[u8], usize) = (b"PK\x05\x06", 22);
+
+/// Where a header of an entry states its facts: the bytes from its version on, alike in both headers.
+const FLAGS: usize = 2;
+const METHOD: usize = 4;
+const CHECKSUM: usize = 10;
+const SIZES: [usize; 2] = [14, 18];
+const NAME_LENGTH: usize = 22;
+const EXTRA_LENGTH: usize = 24;
+/// Length of these facts.
+const FACTS: usize = 26;
+
+/// The entries of an archive, in the order of their contents.
+///
+/// The directory and the headers before the contents are both read and must agree, and the entries must fill the archive: two programs
+/// that read either find the same.
+pub(in crate::verify) fn read_zip(bytes: &[u8]) -> Result<Vec<ZipEntry<'_>>, Finding> {
+    let tail = bytes.len().checked_sub(END.1).map(|start| &bytes[start..]);
+    let Some(end) = tail.filter(|end| end.starts_with(END.0)) else {
+        return Err(fault("no record of its end", "an archive without a comment"));
+    };
+    let (Some(count), Some(length), Some(start)) = (number16(end, 10), number32(end, 12), number32(end, 16))
+    else {
+        return Err(fault("a short record of its end", "22 bytes"));
+    };
+    if end[4..8] != [0; 4] || end[8..10] != end[10..12] || end[20..] != [0; 2] {
+        return Err(fault("several disks, or a comment", "an archive on one disk, without a comment"));
+    }
+    if start.checked_add(length) != Some(bytes.len() - END.1) {
+        return Err(fault("a directory that does not reach the end", "entries, then their directory"));
+    }
+    let (mut entries, mut names) = (Vec::new(), HashSet::new());
+    let (mut place, mut offset) = (start, 0);
+    for _ in 0..count {
+        let entry = read_entry(&bytes[..bytes.len() - END.1], place, offset)?;
+        if !names.insert(entry.name) {
+            return Err(fault(format!("{} twice", quote(entry.name)), "names that differ"));
+        }
+        place += CENTRAL.1 + entry.name.len();
+        offset += LOCAL.1 + entry.name.len() + entry.content.len();
+        entries.push(entry);
+    }
+    if place != start + length || offset != start {
+        return Err(fault("bytes that belong to no entry", "entries without gaps"));
+    }
+    Ok(entries)
+}
+
+/// The entry whose directory entry lies at `place`, and whose content must begin with a header at `offset`.
+fn read_entry(bytes: &[u8], place: usize, offset: usize) -> Result<ZipEntry<'_>, Finding> {
+    let cut = || fault("an entry beyond its end", "whole entries");
+    let central = headed(bytes, place, CENTRAL).ok_or_else(cut)?;
+    let local = headed(bytes, offset, LOCAL).ok_or_else(cut)?;
+    let (stated, repeated) = (&central[6..6 + FACTS], &local[4..4 + FACTS]);
+    if stated != repeated || number32(central, 42) != Some(offset) || central[32..34] != [0, 0] {
+        return Err(fault("an entry that its directory states otherwise", "the same facts in both"));
+    }
+    let (Some(name_length), Some(extra_length), Some(length), Some(checksum)) = (
+        number16(stated, NAME_LENGTH),
+        number16(stated, EXTRA_LENGTH),
+        number32(stated, SIZES[0]),
+        number32(stated, CHECKSUM),
+    ) else {
+        return Err(cut());
+    };
+    let name_bytes = part(bytes, place + CENTRAL.1, name_length).ok_or_else(cut)?;
+    let name = std::str::from_utf8(name_bytes).map_err(|_| fault("a name that is not UTF-8", "a text"))?;
+    if part(bytes, offset + LOCAL.1, name_length) != Some(name_bytes) {
+        return Err(fault(format!("{} under another name", quote(name)), "the name of the directory"));
+    }
+    let is_plain = number16(stated, FLAGS) == Some(0) && number16(stated, METHOD) == Some(0);
+    if !is_plain || extra_length != 0 || number32(stated, SIZES[1]) != Some(length) {
+        return Err(fault(format!("{}, compressed or with extras", quote(name)), "stored entries"));
+    }
+    let content = part(bytes, offset + LOCAL.1 + name_length, length).ok_or_else(cut)?;
+    if usize::try_from(crc32(content)) != Ok(checksum) {
+        return Err(fault(format!("{} with another checksum", quote(name)), "the stated CRC-32"));
+    }
+    Ok(ZipEntry { name, content })
+}
+
+/// A finding about the archive.
+fn fault(problem: impl Into<String>, allowed: &str) -> Finding {
+    Finding::new(FindingCode::BadZip, problem, allowed)
+}
+
+/// The fixed part at `place` of a header with this mark and length; `None` if another thing is there.
+fn headed<'a>(bytes: &'a [u8], place: usize, (mark, length): (&[u8], usize)) -> Option<&'a [u8]> {
+    part(bytes, place, length).filter(|header| header.starts_with(mark))
+}
+
+/// `length` bytes from `place`; `None` beyond the end.
+fn part(bytes: &[u8], place: usize, length: usize) -> Option<&[u8]> {
+    bytes.get(place..place.checked_add(length)?)
+}
+
+/// The number in two bytes at `place`, the lowest first.
+fn number16(bytes: &[u8], place: usize) -> Option<usize> {
+    Some(usize::from(u16::from_le_bytes(part(bytes, place, 2)?.try_into().ok()?)))
+}
+
+/// The number in four bytes at `place`, the lowest first.
+fn number32(bytes: &[u8], place: usize) -> Option<usize> {
+    usize::try_from(u32::from_le_bytes(part(bytes, place, 4)?.try_into().ok()?)).ok()
+}
+
+/// CRC-32 of ISO 3309, a bit at a time.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |remainder, byte| {
+        (0..8).fold(remainder ^ u32::from(*byte), |crc, _| {
+            if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 }
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// `printf ab >a; zip -0 -X a.zip a`, dated 1980-01-01, and `cd` after it.
+    const ARCHIVE: &[u8] = b"PK\x03\x04\x14\0\0\0\0\0\0\0\x21\0\x6d\x48\x83\x9e\x02\0\0\0\x02\0\0\0\x01\0\0\0aab\
+        PK\x01\x02\x14\0\x14\0\0\0\0\0\0\0\x21\0\x6d\x48\x83\x9e\x02\0\0\0\x02\0\0\0\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0a\
+        PK\x05\x06\0\0\0\0\x01\0\x01\0\x2f\0\0\0\x21\0\0\0\0\0";
+
+    fn problem(bytes: &[u8]) -> String {
+        read_zip(bytes).expect_err("a fault").found
+    }
+
+    #[test]
+    fn stored_entries_are_read() {
+        assert_eq!(read_zip(ARCHIVE), Ok(vec![ZipEntry { name: "a", content: b"ab" }]));
+        assert_eq!(crc32(b"123456789"), 0xcbf4_3926);
+    }
+
+    #[test]
+    fn each_wrong_byte_is_a_fault() {
+        for place in 0..ARCHIVE.len() {
+            // The version of the writer, the disk and attributes of an entry decide nothing.
+            if matches!(place, 37..39 | 67..75) {
+                continue;
+            }
+            let mut bytes = ARCHIVE.to_vec();
+            bytes[place] ^= 0x40;
+            assert!(read_zip(&bytes).is_err(), "byte {place}");
+        }
+        let (head, tail) = ARCHIVE.split_at(31);
+        assert_eq!(problem(&[head, b"x", tail].concat()), "a directory that does not reach the end");
+        assert_eq!(problem(b"PK"), "no record of its end");
+    }
+
+    proptest! {
+        #[test]
+        fn no_input_makes_the_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..200), place in 0..80_usize) {
+            let _ = read_zip(&bytes);
+            let mut damaged = ARCHIVE.to_vec();
+            let end = damaged.len().min(place + bytes.len());
+            let start = place.min(end);
+            damaged[start..end].copy_from_slice(&bytes[..end - start]);
+            let _ = read_zip(&damaged);
+        }
+    }
+}
