@@ -121,7 +121,16 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
     }
     let source = Source::new("vary", "");
     let (spec, set) = (String::new(), Vec::new());
-    Ok(StudyFile { source, spec, model: None, fineness: None, set, blocks, outputs: None })
+    Ok(StudyFile {
+        source,
+        spec,
+        model: None,
+        fineness: None,
+        set,
+        blocks,
+        outputs: None,
+        processes: Vec::new(),
+    })
 }
 
 /// The columns of `rows`; fewer rows if the call was cancelled.

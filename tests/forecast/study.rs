@@ -337,6 +337,47 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
     }
 }
 
+/// A star whose inner loop is sealed by a process.
+const WEAK: &str =
+    "inner_process = \"weak\"\n[process.weak]\nspeed = \"2 mm/s\"\n[fabric]\nseal_strength = \"9 N/mm\"\n";
+
+/// Keys of a process vary as all others: the burst pressure follows the weaker loop, and each row is the spec as written by hand.
+#[test]
+fn keys_of_a_process_vary_and_mean_what_they_mean_in_a_spec() {
+    let text = format!("{PAPER}{WEAK}");
+    let spec = Source::new("spec.toml", text.as_str());
+    let axes = ["process.weak.strength=1 N/mm,2 N/mm", "process.weak.passes=1,2"];
+    let study = vary(&spec, &axes).expect("four rows");
+    assert_eq!(study.columns()[1].name, "process.weak.strength_N_per_mm");
+    let batch = whole(&study);
+    let burst = numbers(&study, &batch, "burst_pressure_kPa");
+    assert!((burst[2] / burst[0] - 2.0).abs() < 1e-9 && burst[0] == burst[1], "{burst:?}");
+    let keys = [
+        ("temperature", "\"170 C\""),
+        ("speed", "\"3 mm/s\""),
+        ("height", "\"-0.1 mm\""),
+        ("passes", "3"),
+        ("lines", "1"),
+        ("overlap", "\"4 mm\""),
+        ("cool", "\"5 s\""),
+        ("pause", "\"seam\""),
+        ("strength", "\"1 N/mm\""),
+    ];
+    for (key, toml) in keys {
+        let study =
+            vary(&spec, &[&format!("process.weak.{key}={}", toml.trim_matches('"'))]).expect("one row");
+        let head =
+            text.replace("speed = \"2 mm/s\"\n", if key == "speed" { "" } else { "speed = \"2 mm/s\"\n" });
+        let by_hand = head.replace("[process.weak]\n", &format!("[process.weak]\n{key} = {toml}\n"));
+        let by_hand = stargrip_cam::spec::read(&Source::new("by hand", by_hand)).expect("valid").spec;
+        assert_eq!(study.design(0), Ok(candidate(&by_hand)), "{key}");
+    }
+    let refusal = vary(&spec, &["process.weka.speed=1 mm/s"]).expect_err("refused");
+    assert_eq!(refusal, "`process.weka.speed`: the spec has no process `weka`; did you mean `weak`?");
+    let refusal = vary(&ring(), &["process.weak.speed=1 mm/s"]).expect_err("refused");
+    assert!(refusal.ends_with("write its section in the spec, [process.weak]"), "{refusal}");
+}
+
 #[test]
 fn rows_go_on_together_and_combine_with_what_varies() {
     let study = study(

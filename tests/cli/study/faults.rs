@@ -41,6 +41,17 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
         (with("[vary]\nstar.tube_widht = [\"3 mm\"]\n"), "unknown-key", "did you mean `star.tube_width`?"),
         (with("[vary.star]\ntube_widht = [\"3 mm\"]\n"), "unknown-key", "did you mean `star.tube_width`?"),
         (with("[vary]\ntube_width = [\"3 mm\"]\n"), "unknown-key", "did you mean `star.tube_width`?"),
+        (
+            with("[vary]\nprocess.weka.strength = [\"1 N/mm\"]\n"),
+            "unknown-process",
+            "the spec has no process `weka`: must be the name of a section [process.NAME] of the spec",
+        ),
+        (
+            with("[vary]\nprocess.weak.sped = [\"1 mm/s\"]\n"),
+            "unknown-key",
+            "did you mean `process.weak.speed`?",
+        ),
+        (with("[vary]\nprocess.speed = [\"1 mm/s\"]\n"), "unknown-key", "did you mean `process.NAME.speed`?"),
         (with("[vary]\n\"stack.star\" = [1]\n"), "unknown-key", "`stack.star` cannot be set by a study"),
         (with(&format!("vray = 1\n{vary}")), "unknown-key", "unknown key `vray`"),
         (with(&format!("{vary}[sett]\nx = 1\n")), "unknown-section", "did you mean [set]?"),

@@ -5,8 +5,7 @@
 //! default that depends on it. The designs of these **slow** keys are kept if they have few combinations.
 
 use crate::candidate::{Candidate, RefusedDesign};
-use spec::edit::with_values;
-use spec::study::{Axis, Block, KeyValue};
+use spec::study::{Axis, Block, KeyValue, with_fields};
 use spec::units::{Angle, Length, LineForce, Pressure};
 use spec::{KeyPath, ModelChoice, Reading, Severity, Source, Spec, key, read};
 use std::sync::OnceLock;
@@ -154,12 +153,11 @@ impl Designs {
 
     /// The spec with the slow keys' values, read again.
     fn read(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
-        let value = |(b, l): &(usize, usize)| {
+        let values = self.slow.iter().map(|(b, l)| {
             let axis = &self.blocks[*b].axes()[*l];
-            (axis.field.key(), axis.field.toml(&axis.value(place[*b])))
-        };
-        let values: Vec<(KeyPath, String)> = self.slow.iter().map(value).collect();
-        let text = with_values(&self.source, &values);
+            (&axis.field, axis.value(place[*b]).into_owned())
+        });
+        let text = with_fields(&self.source, values);
         let read = text.and_then(|text| read(&Source::new(self.source.name.as_str(), text)));
         let spec = read.map(|reading| reading.spec).map_err(|faults| {
             let mut errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);

@@ -30,9 +30,8 @@ use crate::study::designs::Designs;
 use crate::study::output::{ModelKinds, OutputColumn};
 use inflatable::mechanics::hinge::ring::RingTable;
 use spec::digest::of_parts;
-use spec::edit::with_values;
-use spec::study::{Axis, Block, Field, KeyValue, StudyFile};
-use spec::{Fault, FaultCode, Faults, ModelChoice, Source, key, read};
+use spec::study::{Axis, Block, Field, KeyValue, StudyFile, with_fields};
+use spec::{Fault, FaultCode, Faults, ModelChoice, Source, Spec, key, nearest, read};
 use std::ops::Range;
 
 /// Most rows of a study: beyond, a row number would not be exact in a spreadsheet, and the file not fit on a disk.
@@ -61,6 +60,7 @@ impl Study {
         let out_of_range = |problem: String| {
             Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, 0..0, problem)])
         };
+        check_processes(file, &read(spec)?.spec)?;
         let spec = edited(spec, &set)?;
         let study_designs = designs(&spec, file.blocks.clone())?.map_err(out_of_range)?;
         let models = study_designs.models();
@@ -87,13 +87,20 @@ impl Study {
     /// The faults of the spec, or one sentence: no key is varied, one is varied twice, a varied model is not one of these, or there are
     /// too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
-        for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
-            let earlier_keys: Vec<_> = axes[..i].iter().map(|other| other.field.key()).collect();
-            if earlier_keys.contains(&key) {
-                return Ok(Err(format!("`{key}` is varied twice")));
+        let spec_read = read(spec)?.spec;
+        for (i, Axis { field, .. }) in axes.iter().enumerate() {
+            let name = field.name();
+            let earlier =
+                axes[..i].iter().map(|other| &other.field).find(|other| other.is_of_same_value(field));
+            if let Some(earlier) = earlier {
+                return Ok(Err(if earlier == field {
+                    format!("`{name}` is varied twice")
+                } else {
+                    format!("`{}` and `{name}` are the same size: vary one of them", earlier.name())
+                }));
             }
-            if let Some(twin) = earlier_keys.iter().find(|other| Some(**other) == key.twin()) {
-                return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
+            if let Some(MissingProcess { problem, remedy }) = missing_process(&spec_read, field) {
+                return Ok(Err(format!("`{name}`: {problem}; {remedy}")));
             }
         }
         let varies_models = axes.iter().any(|axis| axis.field.key() == key::accuracy::MODEL);
@@ -160,6 +167,45 @@ impl Study {
     }
 }
 
+/// A process that a study names and its spec does not have.
+struct MissingProcess {
+    problem: String,
+    remedy: String,
+}
+
+/// The process of `field`, if it is none of `spec`; `None` if it is, and for keys of no process.
+fn missing_process(spec: &Spec, field: &Field) -> Option<MissingProcess> {
+    let name = field.process()?;
+    let names: Vec<&str> = spec.processes.iter().map(|process| process.name.as_str()).collect();
+    if names.contains(&name) {
+        return None;
+    }
+    let remedy = match nearest(name, names.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if names.is_empty() => format!("write its section in the spec, [process.{name}]"),
+        None => format!("write its section in the spec, [process.{name}]; there are {}", names.join(", ")),
+    };
+    Some(MissingProcess { problem: format!("the spec has no process `{name}`"), remedy })
+}
+
+/// Checks that `spec` has every process whose keys the study sets or varies.
+fn check_processes(file: &StudyFile, spec: &Spec) -> Result<(), Faults> {
+    let varied = file.blocks.iter().flat_map(Block::axes).map(|axis| &axis.field);
+    let mut faults = Vec::new();
+    for field in file.set.iter().map(|(field, _)| field).chain(varied) {
+        let Some(MissingProcess { problem, remedy }) = missing_process(spec, field) else { continue };
+        let section_place =
+            file.processes.iter().find(|process| Some(process.name.as_str()) == field.process());
+        let place = section_place.map_or(0..0, |process| process.place.clone());
+        let fault = Fault::error(FaultCode::UnknownProcess, place, problem);
+        let fault = fault.label("must be the name of a section [process.NAME] of the spec").help(remedy);
+        if !faults.contains(&fault) {
+            faults.push(fault);
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(Faults::new(&file.source, faults)) }
+}
+
 /// The designs of `blocks` around `spec`; one sentence if no key is varied, or there are too many designs.
 fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>, Faults> {
     let reading = read(spec)?;
@@ -198,7 +244,6 @@ fn edited(spec: &Source, set: &[(Field, KeyValue)]) -> Result<Source, Faults> {
     if set.is_empty() {
         return Ok(spec.clone());
     }
-    let values: Vec<_> = set.iter().map(|(field, value)| (field.key(), field.toml(value))).collect();
-    let text = with_values(spec, &values)?;
+    let text = with_fields(spec, set.iter().map(|(field, value)| (field, value.clone())))?;
     Ok(Source::new(format!("{}, as the study sets it", spec.name), text))
 }

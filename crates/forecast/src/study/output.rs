@@ -178,8 +178,8 @@ fn of_field(field: &Field) -> Column {
         _ => ColumnKind::Text,
     };
     let unit = field.unit();
-    let name = format!("{}{}", field.key(), unit.map(suffix).unwrap_or_default());
-    Column { name, unit, kind, about: format!("the value of `{}`", field.key()) }
+    let name = format!("{}{}", field.name(), unit.map(suffix).unwrap_or_default());
+    Column { name, unit, kind, about: format!("the value of `{}`", field.name()) }
 }
 
 /// The units of outputs; one that ends as another stands before it.

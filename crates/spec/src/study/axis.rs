@@ -107,7 +107,7 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
     let step = f64::from(count.saturating_sub(1)).max(1.0);
     let values: Vec<f64> = (0..count).map(|i| from + (to - from) * f64::from(i) / step).collect();
     if let Some(part) = values.iter().find(|value| field.is_whole() && value.fract() != 0.0) {
-        let key = field.key();
+        let key = field.name();
         return Err(format!(
             "{part} is not a value of `{key}`: choose the number of values so that all are whole"
         ));
@@ -118,7 +118,7 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
 /// Reads `FROM..TO`.
 pub(super) fn ends_of(field: &Field, text: &str) -> Result<[f64; 2], String> {
     if !field.is_number() {
-        return Err(format!("`{}` takes no numbers: list its values", field.key()));
+        return Err(format!("`{}` takes no numbers: list its values", field.name()));
     }
     let (from, to) = text.split_once("..").ok_or(format!("`{text}` is not FROM..TO"))?;
     let number = |text: &str| match field.parse(text)? {

@@ -1,23 +1,25 @@
-//! One key of a spec that a study sets: its shape and its values; and the keys in a section of a study.
+//! One key of a spec that a study sets: its shape and its values.
 
-use std::ops::Range;
 use std::sync::LazyLock;
 
 use crate::FaultCode;
-use crate::fault::{Fault, quoted};
+use crate::fault::Fault;
 use crate::key::{self, KeyPath};
 use crate::product::ProductKind;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;
+use crate::seal::check_process_name;
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::unknown::nearest;
-use crate::value::{RawEntry, RawKind, RawNumber, RawTable, RawValue};
+use crate::value::{RawKind, RawNumber, RawValue};
 
 /// A key of the spec that a study sets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     key: KeyPath,
+    /// The process of a key of one.
+    process: Option<String>,
     shape: ValueShape,
 }
 
@@ -41,13 +43,17 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 });
 
 impl Field {
-    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
-    /// the list of single stars, `build.with`, or one of a drawing, of a press or of a tool that cuts, since studies cover stars and what they do.
+    /// The field of the key `name`, "star.points" or "process.weak.speed"; `None` if a study cannot set it: the key does not exist, or it is
+    /// `schema`, the list of single stars, `build.with`, or one of a drawing, of a press or of a tool that cuts, since studies cover stars and
+    /// what they do. Whether the spec has the process is not known here.
     pub fn find(name: &str) -> Option<Self> {
+        if let Some((process, word)) = process_and_key(name) {
+            let key = *process_keys().find(|key| key.key() == word)?;
+            check_process_name(process).ok()?;
+            return Some(Self { key, process: Some(process.to_owned()), shape: shape_of(key)?.clone() });
+        }
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
-        let is_named =
-            |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
-        let (_, _, shape) = SHAPES.iter().find(is_named)?;
+        let shape = shape_of(key)?;
         let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
         // The tool that cuts decides no prediction.
         let of_cut_tool = [
@@ -64,7 +70,7 @@ impl Field {
             || ProductKind::ALL
                 .iter()
                 .any(|(section, product)| *product != ProductKind::Stars && *section == key.section());
-        // A process has a name of the user's, which no key of a study has.
+        // A key of a process has the name of the process before it, as above.
         let is_of_process = key.section() == key::process::SPEED.section()
             || [key::star::INNER_PROCESS, key::star::OUTER_PROCESS].contains(&key);
         // A study varies the strength of seams where most specs write it, in [fabric].
@@ -74,11 +80,19 @@ impl Field {
             && !is_of_process
             && !is_written_twice
             && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
-        .then(|| Self { key, shape: shape.clone() })
+        .then(|| Self { key, process: None, shape: shape.clone() })
     }
 
     /// The key nearest to `name`, if one is near.
     pub fn nearest_name(name: &str) -> Option<String> {
+        if let Some((process, word)) = process_and_key(name) {
+            let key_name = nearest(word, process_keys().map(|key| key.key()))?;
+            return Some(format!("{PROCESS}.{process}.{key_name}"));
+        }
+        let of_any_process = name.strip_prefix(PROCESS).and_then(|rest| rest.strip_prefix('.'));
+        if let Some(key) = of_any_process.and_then(|word| process_keys().find(|key| key.key() == word)) {
+            return Some(format!("{PROCESS}.NAME.{}", key.key()));
+        }
         let names: Vec<String> = Self::names().collect();
         let nearest_word = nearest(name, names.iter().map(String::as_str));
         // A name with no section, or with another one, is taken to mean the same key.
@@ -87,14 +101,32 @@ impl Field {
         nearest_word.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
     }
 
-    /// The names of all fields.
+    /// The names of all fields but those of processes, which a spec names.
     pub fn names() -> impl Iterator<Item = String> {
         key::ALL.iter().map(ToString::to_string).filter(|name| Self::find(name).is_some())
     }
 
-    /// The key.
+    /// The key, of a process without its name.
     pub fn key(&self) -> KeyPath {
         self.key
+    }
+
+    /// The name of the process whose key it is; `None` for all other keys.
+    pub fn process(&self) -> Option<&str> {
+        self.process.as_deref()
+    }
+
+    /// The name that a study has for it: "star.points", "process.weak.speed".
+    pub fn name(&self) -> String {
+        match &self.process {
+            Some(process) => format!("{PROCESS}.{process}.{}", self.key.key()),
+            None => self.key.to_string(),
+        }
+    }
+
+    /// Whether both set the same value of a spec, be it by two keys, such as an object's radius and diameter.
+    pub fn is_of_same_value(&self, other: &Self) -> bool {
+        self.process == other.process && (self.key == other.key || self.key.twin() == Some(other.key))
     }
 
     /// The unit of its numbers; `None` if they have none.
@@ -143,7 +175,7 @@ impl Field {
             name => reader.section(name),
         };
         let key_value = value_of(&mut section, self.key.key(), &self.shape);
-        let unread = || Fault::error(FaultCode::WrongType, value.span.clone(), format!("`{}`", self.key));
+        let unread = || Fault::error(FaultCode::WrongType, value.span.clone(), format!("`{}`", self.name()));
         key_value.ok_or_else(|| reader.faults.pop().unwrap_or_else(unread))
     }
 
@@ -157,6 +189,25 @@ impl Field {
             (KeyValue::Truth(truth), _) => truth.to_string(),
         }
     }
+}
+
+/// The section of processes.
+pub(super) const PROCESS: &str = key::process::SPEED.section();
+
+/// The keys of a process.
+fn process_keys() -> impl Iterator<Item = &'static KeyPath> {
+    key::ALL.iter().filter(|key| key.section() == PROCESS)
+}
+
+/// Name and key in "process.weak.speed"; `None` for a name of another form.
+fn process_and_key(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix(PROCESS)?.strip_prefix('.')?.split_once('.')
+}
+
+/// The shape of the values of `key`.
+fn shape_of(key: KeyPath) -> Option<&'static ValueShape> {
+    let named = SHAPES.iter().find(|(section, word, _)| (*section, *word) == (key.section(), key.key()));
+    named.map(|(_, _, shape)| shape)
 }
 
 /// A plain number as TOML has it.
@@ -191,51 +242,6 @@ fn value_of(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape
         | ValueShape::Choices(_) => None,
     }
     .map(KeyValue::Number)
-}
-
-/// A key of the study, with its value.
-pub(super) struct Leaf<'r> {
-    /// The key of the spec.
-    pub(super) field: Field,
-    /// The span of its name.
-    pub(super) place: Range<usize>,
-    /// The value of the key.
-    pub(super) value: &'r RawValue,
-}
-
-/// The keys of `table`, in the order in which they were written; a fault for each that the spec does not have.
-pub(super) fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Leaf<'r>> {
-    let mut leaves = Vec::new();
-    for entry in &table.0 {
-        gather(entry, "", &mut leaves, faults);
-    }
-    leaves.sort_by_key(|leaf| leaf.place.start);
-    leaves
-}
-
-fn gather<'r>(entry: &'r RawEntry, section: &str, leaves: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
-    let name = format!("{section}{}", entry.key);
-    if let Some(field) = Field::find(&name) {
-        leaves.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
-        return;
-    }
-    if let Some(table) = entry.value.as_table().filter(|_| section.is_empty()) {
-        for inner in &table.0 {
-            gather(inner, &format!("{name}."), leaves, faults);
-        }
-        return;
-    }
-    let help = match Field::nearest_name(&name) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "keys are written with their section: star.points, load.pressure".to_owned(),
-    };
-    let problem = if name.starts_with("stack.star") || name == "schema" {
-        format!("{} cannot be set by a study", quoted(&name))
-    } else {
-        format!("unknown key {}", quoted(&name))
-    };
-    let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), problem);
-    faults.push(fault.label("must be a key of the spec").help(help));
 }
 
 #[cfg(test)]
@@ -348,5 +354,32 @@ mod tests {
         assert_eq!(Field::nearest_name("tube_width").as_deref(), Some("star.tube_width"));
         assert_eq!(Field::nearest_name("colour of the fabric"), None);
         assert!(Field::find("schema").is_none() && Field::find("stack.star").is_none());
+    }
+
+    #[test]
+    fn every_key_of_a_process_is_one_with_its_name() {
+        for key in process_keys() {
+            let name = format!("process.weak.{}", key.key());
+            let field = Field::find(&name).unwrap_or_else(|| panic!("{name}"));
+            assert_eq!((field.name(), field.process(), field.key()), (name, Some("weak"), *key));
+            let value = field.parse(&example(&field.shape)).unwrap_or_else(|fault| panic!("{fault}"));
+            assert_eq!(field.parse(field.toml(&value).trim_matches('"')), Ok(value));
+        }
+        for name in [
+            "process.speed",
+            "process.seal.speed",
+            "process.a b.speed",
+            "process.weak.band",
+            "process.a.b.speed",
+        ] {
+            assert_eq!(Field::find(name), None, "{name}");
+        }
+        assert_eq!(Field::nearest_name("process.weak.sped").as_deref(), Some("process.weak.speed"));
+        assert_eq!(Field::nearest_name("process.speed").as_deref(), Some("process.NAME.speed"));
+        let [weak, strong] =
+            ["weak", "strong"].map(|name| Field::find(&format!("process.{name}.speed")).expect("a key"));
+        assert!(weak.is_of_same_value(&weak) && !weak.is_of_same_value(&strong));
+        let refusal = weak.parse("0 mm/s").expect_err("refused");
+        assert!(refusal.contains("must be"), "{refusal}");
     }
 }

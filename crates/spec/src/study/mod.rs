@@ -7,7 +7,9 @@
 mod axis;
 mod field;
 mod reading;
+mod spec_text;
 
 pub use axis::{Axis, Block, MOST_VALUES, RandomSample};
 pub use field::{Field, KeyValue};
-pub use reading::{StudyFile, Wanted, read_study};
+pub use reading::{ProcessPlace, StudyFile, Wanted, read_study};
+pub use spec_text::with_fields;

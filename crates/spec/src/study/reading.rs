@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use crate::FaultCode;
 use crate::accuracy::{Detail, ModelChoice};
-use crate::fault::Fault;
+use crate::fault::{Fault, quoted};
 use crate::faults::Faults;
 use crate::foreign::Document;
 use crate::key;
@@ -12,9 +13,8 @@ use crate::section::Reader;
 use crate::shape::ValueShape;
 use crate::source::Source;
 use crate::study::axis::{Axis, Block, MOST_VALUES, RandomSample, counted_out, ends_of};
-use crate::study::field::{Field, KeyValue, Leaf, leaves};
-use crate::value::{RawKind, RawValue};
-use crate::{FaultCode, KeyPath};
+use crate::study::field::{Field, KeyValue, PROCESS};
+use crate::value::{RawEntry, RawKind, RawTable, RawValue};
 
 /// A study as its file defines it.
 #[derive(Clone, Debug)]
@@ -33,6 +33,17 @@ pub struct StudyFile {
     pub blocks: Vec<Block>,
     /// The requested columns; `None`: all.
     pub outputs: Option<Vec<Wanted>>,
+    /// Where the text names a process; empty for a study without a text.
+    pub processes: Vec<ProcessPlace>,
+}
+
+/// A place of a study's text that names a process of the spec.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProcessPlace {
+    /// Name of the process.
+    pub name: String,
+    /// Place of the key.
+    pub place: Range<usize>,
 }
 
 /// A requested column.
@@ -69,7 +80,9 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let outputs = root.texts("outputs").map(|names| names.into_iter().map(selected).collect());
     let mut keys = SeenKeys::default();
     if model.is_some() {
-        keys.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
+        let field = Field::find(&key::accuracy::MODEL.to_string());
+        let leaf_faults = &mut reader.faults;
+        field.into_iter().for_each(|field| keys.add(field, place.clone(), "model", leaf_faults));
     }
     let set = read_set(reader, &mut keys);
     let mut blocks = Vec::from_iter(read_draw(reader, &mut keys));
@@ -81,28 +94,100 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
             .help("write for instance: vary.star.points = [3, 4, 5]");
         reader.faults.push(fault);
     }
-    StudyFile { source: source.clone(), spec, model, fineness, set, blocks, outputs }
+    StudyFile {
+        source: source.clone(),
+        spec,
+        model,
+        fineness,
+        set,
+        blocks,
+        outputs,
+        processes: keys.processes(),
+    }
 }
 
 /// The keys that were set so far, with the section that sets them.
 #[derive(Default)]
-struct SeenKeys(Vec<(KeyPath, &'static str)>);
+struct SeenKeys(Vec<SeenKey>);
+
+/// A key with the section and the place that set it.
+struct SeenKey {
+    field: Field,
+    section: &'static str,
+    place: Range<usize>,
+}
 
 impl SeenKeys {
-    /// Adds `key`; a fault if it, or its twin, is there already.
-    fn add(&mut self, key: KeyPath, place: Range<usize>, section: &'static str, faults: &mut Vec<Fault>) {
-        let is_same = |known: KeyPath| known == key || Some(known) == key.twin();
-        if let Some((earlier, other)) = self.0.iter().find(|(known, _)| is_same(*known)) {
-            let problem = if *earlier == key {
-                format!("`{key}` is set twice")
+    /// Adds `field`; a fault if it, or its twin, is there already.
+    fn add(&mut self, field: Field, place: Range<usize>, section: &'static str, faults: &mut Vec<Fault>) {
+        if let Some(earlier) = self.0.iter().find(|earlier| earlier.field.is_of_same_value(&field)) {
+            let name = field.name();
+            let problem = if earlier.field == field {
+                format!("`{name}` is set twice")
             } else {
-                format!("`{key}` is set besides `{earlier}`, the same size")
+                format!("`{name}` is set besides `{}`, the same size", earlier.field.name())
             };
-            let fault = Fault::error(FaultCode::Conflict, place, problem);
-            faults.push(fault.label(format!("{other} sets it already")).help("delete one of them"));
+            let fault = Fault::error(FaultCode::Conflict, place.clone(), problem);
+            let label = format!("{} sets it already", earlier.section);
+            faults.push(fault.label(label).help("delete one of them"));
         }
-        self.0.push((key, section));
+        self.0.push(SeenKey { field, section, place });
     }
+
+    /// The places of keys of processes.
+    fn processes(&self) -> Vec<ProcessPlace> {
+        let place_of = |key: &SeenKey| {
+            let name = key.field.process()?.to_owned();
+            Some(ProcessPlace { name, place: key.place.clone() })
+        };
+        self.0.iter().filter_map(place_of).collect()
+    }
+}
+
+/// A key of the study, with its value.
+struct Leaf<'r> {
+    /// The key of the spec.
+    field: Field,
+    /// The span of its name.
+    place: Range<usize>,
+    /// The value of the key.
+    value: &'r RawValue,
+}
+
+/// The keys of `table`, in the order in which they were written; a fault for each that the spec does not have.
+fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Leaf<'r>> {
+    let mut leaves = Vec::new();
+    for entry in &table.0 {
+        gather(entry, "", &mut leaves, faults);
+    }
+    leaves.sort_by_key(|leaf| leaf.place.start);
+    leaves
+}
+
+fn gather<'r>(entry: &'r RawEntry, section: &str, leaves: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
+    let name = format!("{section}{}", entry.key);
+    if let Some(field) = Field::find(&name) {
+        leaves.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
+        return;
+    }
+    let holds_keys = section.is_empty() || section == format!("{PROCESS}.");
+    if let Some(table) = entry.value.as_table().filter(|_| holds_keys) {
+        for inner in &table.0 {
+            gather(inner, &format!("{name}."), leaves, faults);
+        }
+        return;
+    }
+    let help = match Field::nearest_name(&name) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "keys are written with their section: star.points, load.pressure".to_owned(),
+    };
+    let problem = if name.starts_with("stack.star") || name == "schema" {
+        format!("{} cannot be set by a study", quoted(&name))
+    } else {
+        format!("unknown key {}", quoted(&name))
+    };
+    let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), problem);
+    faults.push(fault.label("must be a key of the spec").help(help));
 }
 
 /// The leaves of section `name`, each once.
@@ -110,7 +195,7 @@ fn section<'r>(reader: &mut Reader<'r>, name: &'static str, keys: &mut SeenKeys)
     let Some(table) = reader.free(name).and_then(RawValue::as_table) else { return Vec::new() };
     let section_leaves = leaves(table, &mut reader.faults);
     for leaf in &section_leaves {
-        keys.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
+        keys.add(leaf.field.clone(), leaf.place.clone(), name, &mut reader.faults);
     }
     section_leaves
 }
@@ -137,12 +222,12 @@ fn read_vary(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Vec<Block> {
 fn read_rows(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
     let mut axes: Vec<Axis> = Vec::new();
     for leaf in section(reader, "rows", keys) {
-        let (name, place) = (leaf.field.key(), leaf.value.span.clone());
+        let (name, place) = (leaf.field.name(), leaf.value.span.clone());
         let Some(axis) = or_fault(read_axis(leaf), &mut reader.faults) else { continue };
         if let Some(first) = axes.first().filter(|first| first.len() != axis.len()) {
             let problem = format!("`{name}` has {} values in [rows]", axis.len());
             let label =
-                format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
+                format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.name());
             reader.faults.push(Fault::error(FaultCode::CellCount, place, problem).label(label));
         }
         axes.push(axis);
@@ -153,7 +238,7 @@ fn read_rows(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
 /// A list of values, or a range that is counted out.
 fn read_axis(Leaf { field, value, .. }: Leaf<'_>) -> Result<Axis, Fault> {
     let fault_of = |code, label: &str| {
-        let problem = format!("`{}` is {}", field.key(), value.in_words());
+        let problem = format!("`{}` is {}", field.name(), value.in_words());
         Fault::error(code, value.span.clone(), problem).label(label)
     };
     let values = match &value.kind {
@@ -200,16 +285,16 @@ fn read_draw(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
             if from <= to { Ok([from, to]) } else { Err(problem.to_owned()) }
         });
         let [from, to] = ends.map_err(|why| {
-            let problem = format!("`{}` is {}", field.key(), value.in_words());
+            let problem = format!("`{}` is {}", field.name(), value.in_words());
             Fault::error(FaultCode::OutOfRange, value.span.clone(), problem).label(why)
         })?;
-        let key = RandomSample::number(&field.key().to_string());
+        let key = RandomSample::number(&field.name());
         let is_whole = field.is_whole();
         Ok(Axis::sampled(field, RandomSample { from, to, whole: is_whole, seed, key, count, latin }))
     };
     let mut axes = Vec::new();
     for leaf in leaves(table, &mut reader.faults) {
-        keys.add(leaf.field.key(), leaf.place.clone(), "draw", &mut reader.faults);
+        keys.add(leaf.field.clone(), leaf.place.clone(), "draw", &mut reader.faults);
         axes.extend(or_fault(drawn_axis(leaf), &mut reader.faults));
     }
     Block::new(axes)
