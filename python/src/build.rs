@@ -1,6 +1,6 @@
 //! `Build`: files that have been read back, in memory; and the proof of a directory.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pyo3::prelude::*;
@@ -30,7 +30,7 @@ pub(crate) struct Build {
     given: Arc<Loaded>,
     request: KindRequest,
     anyway: bool,
-    proven: Proven,
+    pub(crate) proven: Proven,
     files: PyOnceLock<Py<PyDict>>,
 }
 
@@ -148,10 +148,7 @@ impl Build {
     /// Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
     /// any. Raises PublishError, and then leaves the directory unchanged.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
-        let published = py.detach(|| publish(&path, &self.proven));
-        let published =
-            published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
-        Ok(published.to_string())
+        written(py, &path, &self.proven)
     }
 
     /// The preview of its first sheet; None if none was built.
@@ -198,6 +195,13 @@ impl Build {
         let built = self.proven.built();
         format!("<Build {:?}: {}>", built.manifest.name, count_text(built.artifacts.len() + 1, "file"))
     }
+}
+
+/// The notes of publishing `proven` into the directory `path`.
+pub(crate) fn written(py: Python<'_>, path: &Path, proven: &Proven) -> PyResult<String> {
+    let published = py.detach(|| publish(path, proven));
+    let notes = published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
+    Ok(notes.to_string())
 }
 
 /// The proof of the build in the directory `path`, as `verify --json` prints it.

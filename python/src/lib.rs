@@ -16,12 +16,14 @@
 //! | `actuator` | a single hinge |
 //! | `optimum` | the best star |
 //! | `sweep` | many designs, a column an array |
+//! | `aligned` | programs for a sheet that was moved |
 //! | `workshop` | coupons, feed check, the rest of a job, machine profiles |
 //! | `command` | the command `stargrip-cam` |
 
 #![allow(missing_docs, reason = "what macros make of a module has none; the rooms have theirs")]
 
 mod actuator;
+mod aligned;
 mod answer;
 mod arguments;
 mod arrays;
@@ -52,6 +54,8 @@ mod _native {
 
     #[pymodule_export]
     use super::actuator::actuator;
+    #[pymodule_export]
+    use super::aligned::{Aligned, align};
     #[pymodule_export]
     use super::answer::{ActuatorPrediction, Chamber, DrawnPrediction, Prediction, keys};
     #[pymodule_export]

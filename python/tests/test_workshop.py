@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -42,6 +43,28 @@ def test_a_feed_check_and_the_machines(gripper: sg.Spec) -> None:
     assert "generic" in machines and all(description for description in machines.values())
     for name in machines:
         assert gripper.replace({"machine.profile": name}).settings()["machine.profile"] == name
+
+
+def test_programs_follow_a_sheet_that_was_moved(gripper: sg.Spec, tmp_path: Path) -> None:
+    build = sg.build(gripper.replace({"machine.marks": "pause"}), only=["seal-gcode", "trace-gcode"])
+    build.write(tmp_path / "job")
+    lines = build.files["star-1-trace.gcode"].decode().splitlines()
+    marks = [dict(word.split("=") for word in line.split() if "=" in word) for line in lines if line.startswith("; mark: ")]
+    moved = [f"{float(mark['x_mm']) + 1.5}, {float(mark['y_mm']) - 0.5}" for mark in marks]
+    aligned = sg.align(build, *moved)
+    assert isinstance(aligned, sg.Aligned) and aligned.sheet == 1
+    assert (*aligned.shift_mm, aligned.turn_deg, aligned.stretch_mm) == pytest.approx((1.5, -0.5, 0.0, 0.0), abs=1e-3)
+    assert aligned.files == sg.align(tmp_path / "job", *moved).files
+    assert all(name.endswith((".gcode", ".toml", ".json")) for name in aligned.files)
+    assert aligned.files["star-1-seal.gcode"] != build.files["star-1-seal.gcode"]
+    aligned.write(tmp_path / "aligned")
+    assert sg.verify(tmp_path / "aligned")
+    with pytest.raises(sg.UsageError, match="mark1: found \"here\"; allowed are two coordinates in mm"):
+        sg.align(build, "here", moved[1])
+    with pytest.raises(sg.Error, match="wrong mark|farther|distance"):
+        sg.align(build, "0, 0", "1, 1")
+    with pytest.raises(TypeError, match="Did you mean 'sheet'"):
+        sg.align(build, *moved, shet=1)  # type: ignore[call-arg]
 
 
 def test_an_interrupted_job_is_resumed(gripper: sg.Spec) -> None:

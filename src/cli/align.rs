@@ -10,12 +10,8 @@ use crate::cli::progress;
 use crate::cli::publish::publish;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::verify::{holds_a_build, read_directory};
-use crate::pipeline::{Proven, align};
+use crate::pipeline::{Proven, align, read_mark};
 use geom::Point;
-use spec::units::{Length, Quantity};
-
-/// Largest coordinate of a mark, mm.
-const FARTHEST: f64 = 1e6;
 
 /// Arguments of `align`.
 #[derive(clap::Args, Debug)]
@@ -23,10 +19,10 @@ pub(super) struct Args {
     /// The directory that `build` published.
     dir: PathBuf,
     /// Where the first mark lies now, as the machine shows it in mm: "12.3, 8.1".
-    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = read_mark, allow_hyphen_values = true)]
     mark1: Point,
     /// Where the second mark lies now: "310.2, 290.4".
-    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = read_mark, allow_hyphen_values = true)]
     mark2: Point,
     /// The sheet that lies on the machine, if there are several.
     #[arg(long, value_name = "NUMBER")]
@@ -36,23 +32,6 @@ pub(super) struct Args {
     output: Option<PathBuf>,
     #[command(flatten)]
     verbosity: Verbosity,
-}
-
-/// One coordinate, in mm or with its unit.
-fn coordinate(text: &str) -> Option<f64> {
-    let text = text.trim();
-    let is_plain = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
-    let number = if is_plain { text.parse().ok() } else { Length::parse(text).ok().map(|length| length.0) };
-    number.filter(|x: &f64| x.abs() <= FARTHEST)
-}
-
-/// Two coordinates, in mm or with their units.
-pub(super) fn mark(text: &str) -> Result<Point, String> {
-    let (x, y) = text.split_once(',').unwrap_or((text, ""));
-    match (coordinate(x), coordinate(y)) {
-        (Some(x), Some(y)) => Ok(Point::new(x, y)),
-        _ => Err("two coordinates in mm, such as \"12.3, 8.1\"".to_owned()),
-    }
 }
 
 /// The build in `dir` with the programs for a sheet whose marks lie at `measured`.

@@ -9,11 +9,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Command;
 
+use crate::cli::verbosity::Verbosity;
 use crate::cli::words::value_of;
-use crate::cli::{actuator, coupon, feedcheck, new_object, optimize, predict, resume, verify};
-use crate::pipeline::{ProvenCoupons, PublishedBuild};
+use crate::cli::{actuator, align, coupon, feedcheck, new_object, optimize, predict, resume, verify};
+use crate::pipeline::{Proven, ProvenCoupons, PublishedBuild};
 use crate::resume::Resumed;
 use forecast::optimize::{Evaluation, SearchResult, Shortfall, shortfalls};
+use geom::Point;
 use proof::verify::{OutputFiles, Proof};
 use spec::{Machine, ModelChoice};
 
@@ -31,6 +33,14 @@ pub fn prove(dir: &Path) -> Result<Proof, Failure> {
     verify::holds_a_build(dir)?;
     let (published, files): (PublishedBuild, OutputFiles<'_>) = verify::read_directory(dir)?;
     Ok(published.prove(&files))
+}
+
+/// The build in `dir` with the programs for a sheet whose marks lie at `marks` now, as `align` makes it; `sheet` names one of several.
+///
+/// # Errors
+/// If the directory cannot be read, is no build of this version, or the sheet cannot lie there.
+pub fn aligned(dir: &Path, sheet: Option<usize>, marks: [Point; 2]) -> Result<Proven, Failure> {
+    align::aligned(dir, sheet, marks, Verbosity { quiet: true, ..Verbosity::default() })
 }
 
 /// Result of a search.

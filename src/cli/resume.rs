@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::answer::hours;
-use crate::cli::align::{aligned, mark};
-use crate::cli::escape::escaped_line;
+use crate::cli::align::aligned;
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::MACHINE;
 use crate::cli::source_file::read_source;
@@ -14,6 +14,7 @@ use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::directory_of;
 use crate::manifest::{MANIFEST, Manifest, sha256};
+use crate::pipeline::read_mark;
 use crate::resume::{ResumeAt, ResumeFault, Resumed, clamp_in_the_way, resume};
 use design::RefusalCode;
 use geom::Point;
@@ -43,10 +44,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
     /// Where the first mark of the sheet lies now, if it was moved, as the machine shows it in mm: "12.3, 8.1".
-    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true, requires = "mark2")]
+    #[arg(long, value_name = "X,Y", value_parser = read_mark, allow_hyphen_values = true, requires = "mark2")]
     mark1: Option<Point>,
     /// Where the second mark lies now.
-    #[arg(long, value_name = "X,Y", value_parser = mark, allow_hyphen_values = true, requires = "mark1")]
+    #[arg(long, value_name = "X,Y", value_parser = read_mark, allow_hyphen_values = true, requires = "mark1")]
     mark2: Option<Point>,
     /// The program to write; default: the job's name with -resume, beside a published directory, never in it. An
     /// existing file is never overwritten.

@@ -42,7 +42,7 @@ pub use planned::{Planned, no_prediction, no_programs, no_requested_programs};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 pub use refused::unfit_besides;
-pub use sheet_alignment::AlignedFault;
+pub use sheet_alignment::{AlignedFault, read_mark};
 
 /// A gripper with the prediction of its behaviour.
 #[derive(Clone, Debug)]

@@ -6,6 +6,7 @@ use crate::pipeline::{Planned, planned, refused};
 use design::{AlignmentFault, Design, Refusals};
 use geom::Point;
 use proof::verify::Finding;
+use spec::units::{Length, Quantity};
 use spec::{Machine, Spec};
 
 /// The reason for which a sheet that was found again has no programs.
@@ -49,6 +50,29 @@ impl fmt::Display for AlignedFault {
                 write!(f, "the programs were not written, because they would be wrong: {first}")
             }
         }
+    }
+}
+
+/// Largest coordinate of a mark, mm.
+const FARTHEST: f64 = 1e6;
+
+/// One coordinate, in mm or with its unit.
+fn coordinate(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let is_plain = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+    let number = if is_plain { text.parse().ok() } else { Length::parse(text).ok().map(|length| length.0) };
+    number.filter(|x: &f64| x.abs() <= FARTHEST)
+}
+
+/// A mark as the machine shows it: two coordinates in mm, or with their units, "12.3, 8.1".
+///
+/// # Errors
+/// What is allowed, if the text is another one.
+pub fn read_mark(text: &str) -> Result<Point, String> {
+    let (x, y) = text.split_once(',').unwrap_or((text, ""));
+    match (coordinate(x), coordinate(y)) {
+        (Some(x), Some(y)) => Ok(Point::new(x, y)),
+        _ => Err("two coordinates in mm, such as \"12.3, 8.1\"".to_owned()),
     }
 }
 

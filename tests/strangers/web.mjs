@@ -39,6 +39,35 @@ async function zipped(page, what, folder, least) {
     return file;
 }
 
+/** Programs for a sheet that was moved, which the command proves; a wrong mark is told. */
+async function moved(page, what) {
+    const before = await page.inputValue("#spec"), folder = "paper-star-5-points";
+    await beside(page, "text");
+    await page.fill("#spec", `${readFileSync("designs/paper-five-points.toml", "utf8")}[machine]\nmarks = "pause"\n`);
+    await ready(page);
+    await zipped(page, `${what}-marked`, folder, 10);
+    const trace = readFileSync(join(out, `${what}-marked`, folder, "star-1-trace.gcode"), "utf8");
+    const marks = [...trace.matchAll(/^; mark: .*x_mm=(\S+) y_mm=(\S+)/gm)].map(([, x, y]) => `${Number(x) + 2}, ${Number(y) + 1}`);
+    await page.click("#moved summary");
+    await page.fill("[name=mark1]", "here");
+    await page.fill("[name=mark2]", marks[1]);
+    await page.click("#moved-form button");
+    await page.waitForFunction(() => document.getElementById("moved-note").textContent.startsWith("mark1: write two coordinates"));
+    await page.fill("[name=mark1]", marks[0]);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#moved-form button")]);
+    const file = join(out, `${what}-moved.zip`), dir = join(out, `${what}-moved`);
+    await download.saveAs(file);
+    rmSync(dir, { recursive: true, force: true });
+    execFileSync("python3", ["-m", "zipfile", "-e", file, dir]);
+    const { status, stdout } = spawnSync(tool, ["verify", join(dir, `${folder}-aligned`), "--json"], { encoding: "utf8" });
+    must(status === 0, `${what}: the aligned build ends with ${status}: ${stdout.slice(0, 400)}`);
+    const note = await page.innerText("#moved-note");
+    must(/^Turned by -?0\.000 deg, shifted by X 2\.00 Y 1\.00 mm/.test(note), `${what}: the motion is ${note}`);
+    await beside(page, "text");
+    await page.fill("#spec", before);
+    await ready(page);
+}
+
 /** From the object to the ZIP, which the command accepts, and the page as well. */
 async function bottle(page, what) {
     await beside(page, "start");
@@ -389,6 +418,7 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         await page.screenshot({ path: join(out, `${what}.png`), fullPage: true });
         if (what === "desktop") await waits(browser, page);
         await bottle(page, what);
+        await moved(page, what);
         await printed(page, what);
         await bounded(page, what);
         await mended(page, what);

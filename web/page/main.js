@@ -201,7 +201,9 @@ async function start() {
         show: ({ place }) => (beside("text"), editor.go(place)),
     });
     const stage = new Stage({ setRole, setProcess, wantReport: () => maker.report() });
-    maker = new Maker({ program, desk, safely, shown: { editor, form, result: new Result(), fault, stage } });
+    const result = new Result();
+    maker = new Maker({ program, desk, safely, shown: { editor, form, result, fault, stage } });
+    result.listenMoved((question, files) => safely(() => program.ask({ ask: "align", ...question }, { files, isLong: true })));
     desk.listen(() => maker.refresh());
     listen();
     listenLinks();

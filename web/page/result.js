@@ -39,10 +39,23 @@ export class Result {
         });
     }
 
+    /** Saves the programs for a sheet that was moved, where `ask(question, files)` makes them of the present files, or tells why there are none. */
+    listenMoved(ask) {
+        byId("moved-form").addEventListener("submit", async (event) => {
+            event.preventDefault();
+            const marks = Object.fromEntries(new FormData(event.target));
+            const answer = await ask({ ...marks, sheet: Number(byId("sheets").value) + 1 }, this.#files);
+            if (!answer) return;
+            const { reason, motion, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
+            byId("moved-note").textContent = reason ?? `Turned by ${motion.turn_deg.toFixed(3)} deg, shifted by X ${motion.shift_mm[0].toFixed(2)} Y ${motion.shift_mm[1].toFixed(2)} mm; the marks are ${motion.stretch_mm.toFixed(2)} mm off their distance. Proven where the sheet lies now.`;
+            if (motion) save(`${folder}.zip`, zipped(folder, files));
+        });
+    }
+
     /** Disables downloads until the present text is proven. */
     withdraw() {
         this.#files = [];
-        byId("zip").disabled = true;
+        byId("zip").disabled = byId("moved").hidden = true;
         byId("files").inert = true;
         byId("proof").textContent = "";
     }
@@ -91,6 +104,7 @@ export class Result {
         }
         this.#files = files;
         byId("zip").disabled = false;
+        byId("moved").hidden = !Object.values(kinds).includes("trace-gcode");
         byId("zip").dataset.folder = stem(name);
         byId("proof").textContent = `Proven: ${proven}.`;
         const rest = new Set(files), groups = USES.map(([use, words]) => {

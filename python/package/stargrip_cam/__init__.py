@@ -12,6 +12,7 @@ strings with a unit, "50 mm"; numbers in results have their unit in their name: 
 
 from stargrip_cam._native import (
     ActuatorPrediction,
+    Aligned,
     Arc,
     Body,
     Build,
@@ -29,6 +30,7 @@ from stargrip_cam._native import (
     Star,
     __version__,
     actuator,
+    align,
     build,
     coupon,
     design,
@@ -54,6 +56,7 @@ from stargrip_cam.errors import (
 
 __all__ = [
     "ActuatorPrediction",
+    "Aligned",
     "Arc",
     "Body",
     "Build",
@@ -81,6 +84,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "actuator",
+    "align",
     "build",
     "coupon",
     "design",

@@ -885,6 +885,38 @@ def feed_check(spec: Spec) -> dict[str, bytes]:
 
     Raises DesignError if the machine's profile contradicts the seal.
     """
+@final
+class Aligned:
+    """The programs of a build, turned and shifted to where its sheet lies now. They have been read back and agree with the design there."""
+    @property
+    def files(self) -> dict[str, bytes]:
+        """Name and content of every file, the manifest last: the bytes that the command `align` writes."""
+    @property
+    def sheet(self) -> int:
+        """The number of the sheet, from 1."""
+    @property
+    def turn_deg(self) -> float:
+        """The turn of the sheet, deg, counterclockwise seen from above."""
+    @property
+    def shift_mm(self) -> tuple[float, float]:
+        """The shift of the sheet along X and Y, mm."""
+    @property
+    def stretch_mm(self) -> float:
+        """The measured distance of the marks less the one of the design, mm."""
+    def write(self, path: str | os.PathLike[str]) -> str:
+        """Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
+        any. Raises PublishError, and then leaves the directory unchanged.
+        """
+def align(build: Build | str | os.PathLike[str], mark1: str, mark2: str, *, sheet: int | None = None) -> Aligned:
+    """The programs of `build` for a sheet that was moved: turned and shifted by where its two marks lie now.
+
+    build: a Build, or the directory of a published one.
+    mark1: the first mark as the machine shows it, in mm: "126.9, 14.2".
+    mark2: the second mark: "129.6, 319.6".
+    sheet: the number of the sheet that lies on the machine, from 1, if there are several.
+
+    Raises Error if the sheet cannot lie there, or the build has no programs or was not made by this version; UsageError for wrong marks.
+    """
 def machines() -> dict[str, str]:
     """The built-in machine profiles: name and description."""
 def rest(

@@ -6,6 +6,7 @@
 //! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `model` | faults, settings, the overview, the proof, files |
 //! | `look` | `spec`, `machine`, the drawing | faults, settings, the overview, the picture: no files |
 //! | `verify` | files | the proof, as with `verify --json` |
+//! | `align` | the files of a build, `mark1`, `mark2`, `sheet` | the files for the sheet as it lies now and its `motion`, or the `reason` |
 //! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
@@ -17,6 +18,7 @@
 //!
 //! `faults` are errors and warnings with their places; `wrong` is a fault of the question itself.
 
+mod align;
 mod build;
 mod drawing;
 mod edit;
@@ -50,6 +52,7 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         "build" => return build::build(&question, &files, tell),
         "look" => build::look(&question, &files)?,
         "verify" => build::verify(files),
+        "align" => return align::align(&question, files),
         "predict" => predict::predict(&question, &files, tell)?,
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,

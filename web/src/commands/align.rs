@@ -1,0 +1,35 @@
+//! `align`: the programs of a build, turned and shifted to where its sheet lies now.
+
+use serde_json::{Value, json};
+use stargrip_cam::geom::Point;
+use stargrip_cam::pipeline::{align as aligned, read_mark};
+use stargrip_cam::verify::OutputFiles;
+
+use crate::message::Message;
+use crate::question::text;
+
+/// The mark under `name`.
+fn read(question: &Value, name: &str) -> Result<Point, Value> {
+    let mark = read_mark(text(question, name).unwrap_or_default());
+    mark.map_err(|allowed| json!({ "reason": format!("{name}: write {allowed}") }))
+}
+
+/// The proven build of the programs of `files` for a sheet that was moved, with its turn, shift and the error of the marks' distance.
+///
+/// # Errors
+/// The `reason` for which there is none: a mark that cannot be read, or a sheet that cannot lie there.
+pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<Message, Value> {
+    let marks = [read(question, "mark1")?, read(question, "mark2")?];
+    let files = files.into_iter().map(|(name, bytes)| (name.into(), bytes.into()));
+    let mut build = OutputFiles { files: files.collect(), ..OutputFiles::default() };
+    build.files.sort();
+    let sheet = question["sheet"].as_u64().and_then(|number| usize::try_from(number).ok());
+    let proven = aligned(&build, sheet, marks).map_err(|fault| json!({ "reason": fault.to_string() }))?;
+    let alignment = proven.built().forecast.design.alignment;
+    let motion = alignment.map(|alignment| {
+        let (turn, shift) = (alignment.motion.rotation.to_degrees(), alignment.motion.shift);
+        json!({ "turn_deg": turn, "shift_mm": [shift.x, shift.y], "stretch_mm": alignment.stretch })
+    });
+    let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
+    Ok(Message { json: json!({ "motion": motion }), files })
+}
