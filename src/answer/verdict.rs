@@ -119,7 +119,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     }
     if let Some(first) = &prediction.bursts_first {
         let pressure = with_limit(first.pressure_kPa, first.range, "kPa", None);
-        rows.push(("opens", format!("{} first (process {}), at {pressure}", first.seam, first.process)));
+        rows.push(("opens", format!("{} first (process {}), at {pressure}", first.place(), first.process)));
     }
     rows
 }

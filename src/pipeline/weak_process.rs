@@ -23,7 +23,9 @@ pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
     match (weakest(&processes), first) {
         (Some((weakest, strength)), Some(first)) if first.process != weakest.name => texts.push(format!(
             "process {} is the weakest, {strength}, and the seam {} of process {} opens before its seams: the pull there is larger",
-            weakest.name, first.seam, first.process
+            weakest.name,
+            first.place(),
+            first.process
         )),
         (Some((weakest, strength)), None) => texts.push(format!(
             "process {} is the weakest, {strength}: its seams open first unless others are pulled harder; {}",

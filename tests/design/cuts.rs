@@ -82,10 +82,10 @@ fn changed(text: &str, letter: char, change: impl Fn(f64) -> f64) -> String {
     text.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// The lines of the third cut, a registration hole.
-fn third_cut(text: &str) -> &str {
-    let (_, tail) = text.split_once("; cut: cut=3 ").expect("a hole");
-    tail.split_once("; cut: cut=4 ").expect("the next").0
+/// The lines of cut number `number`: the third is a registration hole.
+fn cut_lines(text: &str, number: usize) -> &str {
+    let (_, tail) = text.split_once(&format!("; cut: cut={number} ")).expect("a cut");
+    tail.split_once(&format!("; cut: cut={} ", number + 1)).map_or(tail, |(lines, _)| lines)
 }
 
 /// The cut `text` on the other side of its edge: its distance from `outline`, the cut without a kerf, has the other sign.
@@ -157,7 +157,7 @@ fn a_wrong_cut_is_found_by_code() {
             assert!(codes(&findings).contains(&code), "{what}: {code} is not among {:?}", codes(&findings));
         };
         assert_code(&changed(&text, 'X', |x| if x == 0.0 { 0.0 } else { x + 0.05 }), "deviation", "shifted");
-        let missing_hole = text.replacen(&format!("; cut: cut=3 {}", third_cut(&text)), "", 1);
+        let missing_hole = text.replacen(&format!("; cut: cut=3 {}", cut_lines(&text, 3)), "", 1);
         assert_code(&missing_hole, "missing-seam", "a missing hole");
         let height = if cut == HOT { -1.0 } else { -0.8 };
         assert_code(&changed(&text, 'Z', |z| if z == height { z - 0.5 } else { z }), "too-deep", "too deep");
@@ -167,8 +167,8 @@ fn a_wrong_cut_is_found_by_code() {
         let findings = findings_of(&build, &program(&built_for("linuxcnc", cut, "0 mm").expect("a build")).1);
         assert!(codes(&findings).contains(&"deviation"), "another kerf: {:?}", codes(&findings));
         let outline = program(&built_for("linuxcnc", cut, "0 mm").expect("a build")).1;
-        let other_side = on_other_side(third_cut(&text), third_cut(&outline));
-        let other_side = text.replacen(third_cut(&text), &other_side, 1);
+        let other_side = on_other_side(cut_lines(&text, 3), cut_lines(&outline, 3));
+        let other_side = text.replacen(cut_lines(&text, 3), &other_side, 1);
         assert_code(&other_side, "deviation", "the kerf on the other side");
         assert_code(&text.replacen("M0\n", "", 1), "profile-line", "no pause for the tool");
         assert_code(&changed(&text, 'F', |f| f * 1.5), "wrong-feed", "too fast");
@@ -181,6 +181,29 @@ fn a_wrong_cut_is_found_by_code() {
     let hot = built("linuxcnc", HOT);
     let cold: Vec<&str> = codes(&findings_of(&hot, &program(&build).1));
     assert!(cold.contains(&"cold-seal"), "a cold tip: {cold:?}");
+}
+
+/// A program whose tool goes along the wrong side of an edge, by exactly the kerf, is refused for every cut: holes and outlines.
+#[test]
+fn a_cut_on_the_wrong_side_of_its_edge_is_found_wherever_it_is() {
+    for cut in [HOT, KNIFE] {
+        let build = built("linuxcnc", cut);
+        let (_, text) = program(&build);
+        let (_, outline) = program(&built_for("linuxcnc", cut, "0 mm").expect("a build"));
+        let count = text.matches("; cut: cut=").count();
+        for number in 1..=count {
+            let [lines, middle] = [&text, &outline].map(|program| cut_lines(program, number));
+            let wrong = text.replacen(lines, &on_other_side(lines, middle), 1);
+            let findings = findings_of(&build, &wrong);
+            assert!(codes(&findings).contains(&"deviation"), "{cut}: cut {number}: {:?}", codes(&findings));
+            // The kerf is 0.4 mm: the way is that far from where it should be.
+            let distance =
+                |finding: &Finding| finding.found.split(' ').find_map(|word| word.parse::<f64>().ok());
+            let deviations = findings.iter().filter(|finding| finding.code == "deviation");
+            let largest = deviations.filter_map(distance).fold(0.0, f64::max);
+            assert!((0.38..0.6).contains(&largest), "{cut}: cut {number}: {largest} mm");
+        }
+    }
 }
 
 #[test]

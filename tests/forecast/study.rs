@@ -337,14 +337,12 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
     }
 }
 
-/// A star whose inner loop is sealed by a process.
-const WEAK: &str =
-    "inner_process = \"weak\"\n[process.weak]\nspeed = \"2 mm/s\"\n[fabric]\nseal_strength = \"9 N/mm\"\n";
-
 /// Keys of a process vary as all others: the burst pressure follows the weaker loop, and each row is the spec as written by hand.
 #[test]
 fn keys_of_a_process_vary_and_mean_what_they_mean_in_a_spec() {
-    let text = format!("{PAPER}{WEAK}");
+    // The inner loop is sealed by a process.
+    let star = PAPER.replace("[stack]\n", "inner_process = \"weak\"\n[stack]\n");
+    let text = format!("{star}[process.weak]\nspeed = \"2 mm/s\"\n");
     let spec = Source::new("spec.toml", text.as_str());
     let axes = ["process.weak.strength=1 N/mm,2 N/mm", "process.weak.passes=1,2"];
     let study = vary(&spec, &axes).expect("four rows");

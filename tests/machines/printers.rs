@@ -127,7 +127,7 @@ fn a_contact_below_zero_needs_its_endstops_off() {
         try_built(&star_text("ender"), &text).map(|_| ()).map_err(|refusals| refusals[0].code.to_string())
     };
     assert_eq!(codes("0.3 mm", "\"G28\", "), Ok(()));
-    assert_eq!(codes("0.29 mm", "\"G28\", "), Err("deep-contact".to_owned()));
+    assert_eq!(codes("0.29 mm", "\"G28\", "), Err("clamped-contact".to_owned()));
     assert_eq!(codes("0 mm", "\"G28\", \"M211 S0\", "), Ok(()));
     assert_eq!(codes("0 mm", ""), Ok(()));
 }

@@ -37,7 +37,6 @@ const WITHOUT: &[&str] = &[
     "seam-of-two-processes",
     "seams-cross",
     "stars-overlap",
-    "tight-cut",
     "wrong-opening",
     "leaves-plane",
     "failed",

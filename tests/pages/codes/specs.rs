@@ -72,6 +72,10 @@ const DESIGNS: &[(&str, &str)] = &[
         "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"0 mm\"\n",
     ),
     (
+        "tight-cut",
+        "[cut]\ntool = \"drag-knife\"\nblade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n[sheet]\nhole_diameter = \"0.9 mm\"\n",
+    ),
+    (
         "cut-sheet",
         "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n",
     ),
@@ -139,7 +143,7 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
         "[[keep_out]]\nname = \"clamp\"\nx = \"200 mm\"\ny = \"200 mm\"\nwidth = \"40 mm\"\ndepth = \"40 mm\"\n[heights]",
         "",
     ),
-    ("deep-contact", "ender", "surface = \"1 mm\"", "surface = \"0 mm\"", ""),
+    ("clamped-contact", "ender", "surface = \"1 mm\"", "surface = \"0 mm\"", ""),
     ("profile-limit", "klipper", "TIMEOUT=86400", "TIMEOUT=600", ""),
     ("steep-ramp", "grbl", "ramp = \"3 mm\"", "ramp = \"0.005 mm\"", "feed_floor = \"chop\"\n"),
     ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),
@@ -179,6 +183,11 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
             &mut messages,
         );
     }
+    let rigid = generic()
+        .replace("spring_loaded = true", "spring_loaded = false")
+        .replace("contact = \"-0.3 mm\"", "contact = \"0 mm\"");
+    let deep = format!("{STAR}[machine]\nprofile = \"own.toml\"\n[seal]\nheight = \"-0.2 mm\"\n");
+    of_spec(&deep, Some(&rigid), &mut messages);
     let [faults, ..] = &mut messages;
     for &(_, text) in TABLES {
         faults.extend(read_strip(&Source::new("strip.csv", text)).err().iter().flat_map(of_faults));

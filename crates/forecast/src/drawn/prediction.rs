@@ -40,7 +40,7 @@ keyed! {
         pub burst_pressure_kPa: Option<f64>,
         /// Range of the burst pressure: mesh errors, and how the pull may grow with the pressure.
         pub burst_range_kPa: Option<Interval>,
-        /// The seam that opens first: `seam`, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the
+        /// The seam that opens first: `seam`, with `piece` where several have a seam of this name, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the
         /// strength of each.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub bursts_first: Option<FirstOpening>,
@@ -74,12 +74,22 @@ kinds! {
 pub struct FirstOpening {
     /// Name of the seam.
     pub seam: String,
+    /// Name of the piece, "piece-2", where several have a seam of this name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub piece: Option<String>,
     /// Name of its process.
     pub process: String,
     /// Pressure at which it peels.
     pub pressure_kPa: f64,
     /// Range of that pressure.
     pub range: Interval,
+}
+
+impl FirstOpening {
+    /// The seam in words, with its piece where others have a seam of this name: "tear of piece-2".
+    pub fn place(&self) -> String {
+        self.piece.as_ref().map_or_else(|| self.seam.clone(), |piece| format!("{} of {piece}", self.seam))
+    }
 }
 
 /// Model, choice and warnings behind a prediction.
@@ -251,9 +261,9 @@ impl ChamberPrediction {
         let second_pull = second_seams.as_deref().and_then(largest_pull);
         // Folds may pull harder than their mean.
         let is_averaged = region.wrinkles == Wrinkles::Averaged;
-        let mut opening = if is_averaged { None } else { strengths.first_opening(&seams, pressure) };
+        let mut opening = if is_averaged { None } else { strengths.first_opening(&seams, pieces, pressure) };
         let second_opening =
-            second_seams.as_deref().and_then(|seams| strengths.first_opening(seams, pressure));
+            second_seams.as_deref().and_then(|seams| strengths.first_opening(seams, pieces, pressure));
         if let Some((first, second)) = opening.as_mut().zip(second_opening) {
             first.range = hull(first.range, second.range);
         }
@@ -261,6 +271,7 @@ impl ChamberPrediction {
         self.burst_range_kPa = opening.as_ref().map(|first| first.range.map(rounded_kpa));
         self.bursts_first = opening.filter(|_| strengths.differ()).map(|first| FirstOpening {
             seam: first.seam,
+            piece: first.piece,
             process: first.process,
             pressure_kPa: rounded_kpa(first.burst),
             range: first.range.map(rounded_kpa),

@@ -29,6 +29,8 @@ pub struct SeamPrediction {
 pub(super) struct SeamOpening {
     /// Name of the seam.
     pub seam: String,
+    /// Name of the piece, "piece-2", where several have a seam of this name.
+    pub piece: Option<String>,
     /// Name of its process.
     pub process: String,
     /// The pressure, Pa.
@@ -47,20 +49,20 @@ fn name_of(seam: &Seam) -> &str {
 
 /// The process and the peel strength of every seam of drawn pieces.
 pub(super) struct SeamStrengths {
-    /// By the name of the seam; of seams with one name the weakest.
-    seams: BTreeMap<String, SealProcess>,
+    /// By the index of the piece and the name of the seam; of seams of a piece with one name the weakest.
+    seams: BTreeMap<(usize, String), SealProcess>,
     default: SealProcess,
 }
 
 impl SeamStrengths {
     pub(super) fn new(spec: &Spec, pieces: &DrawnPieces) -> Self {
-        let mut seams: BTreeMap<String, SealProcess> = BTreeMap::new();
-        for piece in &pieces.pieces {
+        let mut seams: BTreeMap<(usize, String), SealProcess> = BTreeMap::new();
+        for (index, piece) in pieces.pieces.iter().enumerate() {
             for (seam, lines) in piece.shape.seams.iter().zip(&piece.seam_lines) {
                 let process = spec.process(&lines.process);
-                let name = name_of(seam);
-                if seams.get(name).is_none_or(|known| process.strength < known.strength) {
-                    let _ = seams.insert(name.to_owned(), process);
+                let key = (index, name_of(seam).to_owned());
+                if seams.get(&key).is_none_or(|weakest| process.strength < weakest.strength) {
+                    let _ = seams.insert(key, process);
                 }
             }
         }
@@ -73,25 +75,48 @@ impl SeamStrengths {
         names.next().is_some_and(|first| names.any(|name| name != first))
     }
 
-    fn of_seam(&self, seam: &str) -> &SealProcess {
-        self.seams.get(seam).unwrap_or(&self.default)
-    }
-
-    /// The one of `seams` that peels at the least pressure; `None` if a strength is unknown. The pulls are those at `pressure`.
-    pub(super) fn first_opening(&self, seams: &[SeamPrediction], pressure: Pressure) -> Option<SeamOpening> {
+    /// The one of `seams` of `pieces` that peels at the least pressure; `None` if a strength is unknown. The pulls are those at `pressure`.
+    pub(super) fn first_opening(
+        &self,
+        seams: &[SeamPrediction],
+        pieces: &DrawnPieces,
+        pressure: Pressure,
+    ) -> Option<SeamOpening> {
         let mut first: Option<SeamOpening> = None;
         for SeamPrediction { seam, pull_N_per_mm, .. } in seams {
-            let process = self.of_seam(seam);
+            let bearing = pieces_with(seam, pieces, pull_N_per_mm.at_mm);
+            let index = bearing.first().copied();
+            let own_process = index.and_then(|index| self.seams.get(&(index, seam.clone())));
+            let process = own_process.unwrap_or(&self.default);
             let peel = process.strength?.newtons_per_metre();
             let pull = [pull_N_per_mm.value, pull_N_per_mm.mesh_error]
                 .map(|pull| LineForce(pull).newtons_per_metre());
             let Some((burst, range)) = burst_of_drawn(peel, pressure.pascals(), pull) else { continue };
             if first.as_ref().is_none_or(|least| burst <= least.burst) {
-                first = Some(SeamOpening { seam: seam.clone(), process: process.name.clone(), burst, range });
+                let piece = index.filter(|_| bearing.len() > 1).and_then(|index| piece_word(index, pieces));
+                let (seam, process) = (seam.clone(), process.name.clone());
+                first = Some(SeamOpening { seam, piece, process, burst, range });
             }
         }
         first
     }
+}
+
+/// The indices of the `pieces` that have a seam called `name`, the one whose seam is nearest to `place`, mm, first.
+fn pieces_with(name: &str, pieces: &DrawnPieces, [x, y]: [f64; 2]) -> Vec<usize> {
+    let distance = |index: &usize| {
+        let seams = pieces.pieces[*index].shape.seams.iter().filter(|seam| name_of(seam) == name);
+        seams.map(|seam| seam.center_line.distance(Point::new(x, y))).min_by(f64::total_cmp)
+    };
+    let distances = (0..pieces.pieces.len()).filter_map(|index| Some((index, distance(&index)?)));
+    let mut distances: Vec<(usize, f64)> = distances.collect();
+    distances.sort_by(|a, b| a.1.total_cmp(&b.1));
+    distances.into_iter().map(|(index, _)| index).collect()
+}
+
+/// The name of a piece as in the manifest: that of its first copy.
+fn piece_word(index: usize, pieces: &DrawnPieces) -> Option<String> {
+    pieces.copies.iter().find(|copy| copy.distinct == index).map(|copy| copy.name().word())
 }
 
 /// Rows of one seam at most.

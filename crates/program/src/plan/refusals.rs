@@ -65,7 +65,7 @@ fn clamped_contacts(machine: &Machine, programs: &[Program]) -> Option<Refusal> 
     );
     let remedy = "`start` of the profile must turn the soft endstops off after G28 (M211 S0; RepRapFirmware M564 S0; Bambu M211 X0 Y0 \
                   Z0), or `surface` must be higher";
-    Some(Refusal::new(key::machine::PROFILE, RefusalCode::DeepContact, fault, remedy))
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::ClampedContact, fault, remedy))
 }
 
 /// A longer time without a move than any job has, s: a day.
