@@ -202,8 +202,8 @@ fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
 fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
-        vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
-    rows.extend(to_look_at(proven).map(|picture| ("look at", shown(target.join(picture)))));
+        vec![("files", format!("{number} in {}", escaped_line(target))), ("proven", scope(proven.proof()))];
+    rows.extend(to_look_at(proven).map(|picture| ("look at", escaped_line(target.join(picture)))));
     let traces = named(proven, Kind::TraceGcode);
     let [seals, packages] = [Kind::SealGcode, Kind::Seal3mf].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
@@ -214,8 +214,9 @@ fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
-    let package =
-        packages.first().map(|first| format!("{first}{}: the same program in a package", more(&packages)));
+    let package = packages
+        .first()
+        .map(|first| format!("{first}{}: the same program in a package", more_text(&packages)));
     rows.extend(package.map(|package| ("package", package)));
     let cut = named(proven, Kind::CutGcode);
     let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more_text(&cut)));

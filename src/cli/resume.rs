@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::answer::hours;
 use crate::cli::align::aligned;
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::load::MACHINE;
 use crate::cli::source_file::read_source;

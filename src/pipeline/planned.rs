@@ -101,7 +101,7 @@ pub fn no_requested_programs(spec: &Spec, machine: &Machine, request: &KindReque
     let mut programs = request.only.iter().chain(&request.with).filter(|kind| kind.is_program());
     let refusal =
         programs.find_map(|kind| no_programs(spec, kind.name()).or_else(|| no_package(machine, *kind)));
-    refusal.into_iter().collect::<Refusals>().or(())
+    refusal.into_iter().collect::<Refusals>().or_value(())
 }
 
 /// A failed prediction, as a refusal at the key that causes it.
