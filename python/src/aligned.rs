@@ -9,7 +9,7 @@ use stargrip_cam::design::Alignment;
 use stargrip_cam::geom::Point;
 use stargrip_cam::pipeline::{self, Proven, read_mark};
 
-use crate::build::{Build, written};
+use crate::build::{Build, publish_into};
 use crate::faults::{of_failure, plain, usage};
 use crate::options::refuse_unknown;
 
@@ -43,16 +43,13 @@ pub(crate) fn align(
 ) -> PyResult<Aligned> {
     refuse_unknown("align", &["build", "mark1", "mark2", "sheet"], unknown)?;
     let marks = [mark(py, "mark1", mark1)?, mark(py, "mark2", mark2)?];
-    let proven = match build.cast::<Build>() {
-        Ok(build) => {
-            let built = build.get().proven.built();
-            py.detach(|| pipeline::align(&built.output_files(), sheet, marks))
-                .map_err(|fault| plain(py, "Error", "refused", &fault.to_string()))?
-        }
-        Err(_) => {
-            let dir: PathBuf = build.extract()?;
-            py.detach(|| embedded::aligned(&dir, sheet, marks)).map_err(|failure| of_failure(py, &failure))?
-        }
+    let proven = if let Ok(build) = build.cast::<Build>() {
+        let built = build.get().proven.built();
+        py.detach(|| pipeline::align(&built.output_files(), sheet, marks))
+            .map_err(|fault| plain(py, "Error", "refused", &fault.to_string()))?
+    } else {
+        let dir: PathBuf = build.extract()?;
+        py.detach(|| embedded::aligned(&dir, sheet, marks)).map_err(|failure| of_failure(py, &failure))?
     };
     let alignment = proven.built().forecast.design.alignment;
     let alignment = alignment.ok_or_else(|| plain(py, "Error", "refused", "the build has no sheet"))?;
@@ -104,7 +101,7 @@ impl Aligned {
     /// Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
     /// any. Raises PublishError, and then leaves the directory unchanged.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
-        written(py, &path, &self.proven)
+        publish_into(py, &path, &self.proven)
     }
 
     fn __repr__(&self) -> String {

@@ -148,7 +148,7 @@ impl Build {
     /// Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
     /// any. Raises PublishError, and then leaves the directory unchanged.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
-        written(py, &path, &self.proven)
+        publish_into(py, &path, &self.proven)
     }
 
     /// The preview of its first sheet; None if none was built.
@@ -198,7 +198,7 @@ impl Build {
 }
 
 /// The notes of publishing `proven` into the directory `path`.
-pub(crate) fn written(py: Python<'_>, path: &Path, proven: &Proven) -> PyResult<String> {
+pub(crate) fn publish_into(py: Python<'_>, path: &Path, proven: &Proven) -> PyResult<String> {
     let published = py.detach(|| publish(path, proven));
     let notes = published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
     Ok(notes.to_string())

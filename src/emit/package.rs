@@ -149,15 +149,18 @@ mod tests {
         assert_ne!(Some(first), package("G29\n", 61.4));
     }
 
+    fn contains(file: &[u8], part: &[u8]) -> bool {
+        file.windows(part.len()).any(|window| window == part)
+    }
+
     /// `printf 'G28\n' | md5sum` prints the MD5.
     #[test]
     fn a_package_states_checksums_of_its_program() {
         let file = package("G28\n", 61.4).expect("short");
-        let holds = |part: &[u8]| file.windows(part.len()).any(|window| window == part);
         assert!(
-            holds(b"plate_1.gcode.md5BED3F671261EA5ABC6BE16B782D1C47B"),
+            contains(&file, b"plate_1.gcode.md5BED3F671261EA5ABC6BE16B782D1C47B"),
             "the MD5 stands behind its name"
         );
-        assert!(holds(b"key=\"prediction\" value=\"61\""));
+        assert!(contains(&file, b"key=\"prediction\" value=\"61\""));
     }
 }

@@ -88,9 +88,9 @@ fn no_package(machine: &Machine, kind: Kind) -> Option<Refusal> {
     if kind.format() != Format::Package || takes_packages(dialect) {
         return None;
     }
-    let found = format!("{kind} is for Bambu Lab's printers; {} reads plain G-code", dialect.title());
+    let problem = format!("{kind} is for Bambu Lab's printers; {} reads plain G-code", dialect.title());
     let remedy = "ask for seal-gcode, or name profile = \"bambu\" in [machine]";
-    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPackage, found, remedy))
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPackage, problem, remedy))
 }
 
 /// Refuses the first program that `request` names and `machine` does not run: any for a press, a package for most machines.

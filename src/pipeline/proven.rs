@@ -9,7 +9,7 @@ use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{AlignedFault, Built, Forecast, Planned, Sources};
 use forecast::drawn::Watch;
-use proof::artifact::{Kind, KindRequest, Subject, outputs};
+use proof::artifact::{KindRequest, Subject, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 use spec::{Code, DrawingSpec, Machine};
@@ -57,8 +57,8 @@ impl Proven {
 
     /// Time of all sealing programs that were written, s; `None` if none was.
     pub fn sealing_time(&self) -> Option<f64> {
-        let is_seal = |kind: Kind| kind.is_program() && kind.subject() == Subject::Seal;
-        let has_program = self.built.artifacts.iter().any(|artifact| is_seal(artifact.output.kind));
+        let mut kinds = self.built.artifacts.iter().map(|artifact| artifact.output.kind);
+        let has_program = kinds.any(|kind| kind.is_program() && kind.subject() == Subject::Seal);
         has_program.then(|| self.built.forecast.programs.iter().map(|program| program.time).sum())
     }
 

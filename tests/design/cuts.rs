@@ -196,12 +196,12 @@ fn a_cut_on_the_wrong_side_of_its_edge_is_found_wherever_it_is() {
             let wrong = text.replacen(lines, &on_other_side(lines, middle), 1);
             let findings = findings_of(&build, &wrong);
             assert!(codes(&findings).contains(&"deviation"), "{cut}: cut {number}: {:?}", codes(&findings));
-            // The kerf is 0.4 mm: the way is that far from where it should be.
+            // The kerf is 0.4 mm: the way is at least that far from where it should be.
             let distance =
                 |finding: &Finding| finding.found.split(' ').find_map(|word| word.parse::<f64>().ok());
             let deviations = findings.iter().filter(|finding| finding.code == "deviation");
             let largest = deviations.filter_map(distance).fold(0.0, f64::max);
-            assert!((0.38..0.6).contains(&largest), "{cut}: cut {number}: {largest} mm");
+            assert!(largest > 0.39, "{cut}: cut {number}: {largest} mm");
         }
     }
 }

@@ -74,6 +74,9 @@ fn a_package_holds_the_program_that_lies_beside_it() {
     assert_eq!(archive(&list), content(&files, PACKAGE), "no other bytes than those of the format");
 }
 
+/// A change of the parts of a package.
+type Change<'c> = &'c dyn Fn(&mut Vec<Part>);
+
 /// There is no second truth: a package is judged by the program in it, whose checksums may all be right.
 #[test]
 fn a_changed_program_in_a_package_is_found_by_the_judges_of_programs() {
@@ -92,10 +95,10 @@ fn a_changed_program_in_a_package_is_found_by_the_judges_of_programs() {
 #[test]
 fn a_package_whose_parts_disagree_is_found() {
     let build = built();
-    let changes: [(&str, &dyn Fn(&mut Vec<Part>)); 7] = [
+    let changes: [(&str, Change); 7] = [
         ("the MD5", &|list| edit(list, PROGRAM, "G28", "G27")),
         ("the time", &|list| {
-            edit(list, "Metadata/slice_info.config", "prediction\" value=\"", "prediction\" value=\"9")
+            edit(list, "Metadata/slice_info.config", "prediction\" value=\"", "prediction\" value=\"9");
         }),
         ("another program", &|list| edit(list, SETTINGS, "plate_1.gcode", "plate_2.gcode")),
         ("a second plate", &|list| edit(list, SETTINGS, "</plate>", "</plate><plate/>")),

@@ -283,23 +283,26 @@ fn chambers_that_share_a_band_are_warned_of() {
     assert!(warnings.iter().any(|warning| warning.text.starts_with("chambers share a band")), "{warnings:?}");
 }
 
-/// Two pouches with a wall of one name: the one that is sealed weakly opens first, and is named with its piece, although air pulls harder
-/// at the walls of the other.
+/// Two pouches with a wall of one name, of which one is sealed weakly: it opens first, and is named with its piece.
 #[test]
 fn the_first_opening_names_the_piece_where_walls_have_one_name() {
-    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nseam = [\"s\"]\nport = [\"p\"]\n\
-        [drawing.process]\nweak = [\"wall\"]\n[process.weak]\nstrength = \"0.5 N/mm\"\n[fabric]\nseal_strength = \"4 N/mm\"\n\
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nseam = [\"s\", \"u\"]\nport = [\"p\"]\n\
+        [drawing.process]\nweak = [\"u\"]\n[process.weak]\nstrength = \"0.5 N/mm\"\n[fabric]\nseal_strength = \"4 N/mm\"\n\
         [inlet]\ntube_diameter = \"3 mm\"\n[load]\npressure = \"30 kPa\"\n";
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"160mm\" viewBox=\"0 0 140 160\"><g id=\"a\">\
         <rect id=\"r\" x=\"20\" y=\"20\" width=\"100\" height=\"40\"/><rect id=\"t\" x=\"20\" y=\"100\" width=\"100\" height=\"40\"/></g>\
-        <g id=\"s\"><g id=\"wall\"><path d=\"M50 20V60\"/><path d=\"M50 100V140\"/></g></g>\
+        <g id=\"s\"><path id=\"wall\" d=\"M50 20V60\"/></g><g id=\"u\"><path id=\"wall\" d=\"M50 100V140\"/></g>\
         <g id=\"p\"><path d=\"M15 40H25\"/><path d=\"M15 120H25\"/><path d=\"M115 40H125\"/><path d=\"M115 120H125\"/></g></svg>";
     let prediction = coarse(&of_text(text, svg.as_bytes())).prediction;
     let first = prediction.bursts_first.expect("known strengths");
-    assert_eq!((first.seam.as_str(), first.process.as_str()), ("wall", "weak"));
-    let piece = first.piece.as_deref().expect("two pieces have a wall");
-    assert!(["piece-1", "piece-2"].contains(&piece), "{piece}");
-    assert_eq!(first.place(), format!("wall of {piece}"));
+    assert_eq!((first.place().as_str(), first.process.as_str()), ("wall of piece-2", "weak"));
+    // The walls of the other pouch open where strong seams do.
+    let chambers = prediction.chambers.iter().filter_map(|chamber| chamber.burst_pressure_kPa);
+    assert!(
+        chambers.clone().any(|burst| burst > 2.0 * first.pressure_kPa),
+        "{:?}",
+        chambers.collect::<Vec<_>>()
+    );
 }
 
 /// Two long tubes on both sides of a wall. In the middle of the wall air pulls at each side of it with p W / pi, as at any tube of width W:

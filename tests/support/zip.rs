@@ -6,16 +6,20 @@ pub type Part = (String, Vec<u8>);
 
 /// The parts of an archive, in their order, as its local headers state them.
 pub fn parts(archive: &[u8]) -> Vec<Part> {
-    let number =
-        |place: usize| u32::from_le_bytes(archive[place..place + 4].try_into().expect("four bytes")) as usize;
     let (mut list, mut place) = (Vec::new(), 0);
     while archive[place..].starts_with(b"PK\x03\x04") {
-        let (length, start) = (number(place + 22), place + 30 + (number(place + 26) & 0xffff));
+        let (length, start) =
+            (number(archive, place + 22), place + 30 + (number(archive, place + 26) & 0xffff));
         let name = String::from_utf8(archive[place + 30..start].to_vec()).expect("a name");
         list.push((name, archive[start..start + length].to_vec()));
         place = start + length;
     }
     list
+}
+
+/// The number in four bytes at `place`.
+fn number(archive: &[u8], place: usize) -> usize {
+    u32::from_le_bytes(archive[place..place + 4].try_into().expect("four bytes")) as usize
 }
 
 /// An archive of these parts, with right checksums.

@@ -103,15 +103,18 @@ impl SeamStrengths {
 }
 
 /// The indices of the `pieces` that have a seam called `name`, the one whose seam is nearest to `place`, mm, first.
-fn pieces_with(name: &str, pieces: &DrawnPieces, [x, y]: [f64; 2]) -> Vec<usize> {
-    let distance = |index: &usize| {
-        let seams = pieces.pieces[*index].shape.seams.iter().filter(|seam| name_of(seam) == name);
-        seams.map(|seam| seam.center_line.distance(Point::new(x, y))).min_by(f64::total_cmp)
-    };
-    let distances = (0..pieces.pieces.len()).filter_map(|index| Some((index, distance(&index)?)));
-    let mut distances: Vec<(usize, f64)> = distances.collect();
+fn pieces_with(name: &str, pieces: &DrawnPieces, place: [f64; 2]) -> Vec<usize> {
+    let shapes = pieces.pieces.iter().map(|piece| &piece.shape.seams).enumerate();
+    let mut distances: Vec<(usize, f64)> =
+        shapes.filter_map(|(index, seams)| Some((index, least_distance(name, seams, place)?))).collect();
     distances.sort_by(|a, b| a.1.total_cmp(&b.1));
     distances.into_iter().map(|(index, _)| index).collect()
+}
+
+/// The distance of `place` from the nearest of `seams` that is called `name`, mm; `None` if none is.
+fn least_distance(name: &str, seams: &[Seam], [x, y]: [f64; 2]) -> Option<f64> {
+    let of_name = seams.iter().filter(|seam| name_of(seam) == name);
+    of_name.map(|seam| seam.center_line.distance(Point::new(x, y))).min_by(f64::total_cmp)
 }
 
 /// The name of a piece as in the manifest: that of its first copy.

@@ -11,5 +11,5 @@ mod spec_text;
 
 pub use axis::{Axis, Block, MOST_VALUES, RandomSample};
 pub use field::{Field, KeyValue};
-pub use reading::{ProcessPlace, StudyFile, Wanted, read_study};
+pub use reading::{NamedProcess, StudyFile, Wanted, read_study};
 pub use spec_text::with_fields;

@@ -34,12 +34,12 @@ pub struct StudyFile {
     /// The requested columns; `None`: all.
     pub outputs: Option<Vec<Wanted>>,
     /// Where the text names a process; empty for a study without a text.
-    pub processes: Vec<ProcessPlace>,
+    pub processes: Vec<NamedProcess>,
 }
 
 /// A place of a study's text that names a process of the spec.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ProcessPlace {
+pub struct NamedProcess {
     /// Name of the process.
     pub name: String,
     /// Place of the key.
@@ -78,11 +78,14 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let fineness = root.choice("fineness", &Detail::ALL).map(|detail| (detail, root.place_of("fineness")));
     let selected = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
     let outputs = root.texts("outputs").map(|names| names.into_iter().map(selected).collect());
+    // A key may be set once in the whole file: the sections are read one after the other, and each adds its keys. A process is only noted
+    // here, because the spec that has it is read later.
     let mut keys = SeenKeys::default();
     if model.is_some() {
         let field = Field::find(&key::accuracy::MODEL.to_string());
-        let leaf_faults = &mut reader.faults;
-        field.into_iter().for_each(|field| keys.add(field, place.clone(), "model", leaf_faults));
+        if let Some(field) = field {
+            keys.add(field, place, "model", &mut reader.faults);
+        }
     }
     let set = read_set(reader, &mut keys);
     let mut blocks = Vec::from_iter(read_draw(reader, &mut keys));
@@ -135,10 +138,10 @@ impl SeenKeys {
     }
 
     /// The places of keys of processes.
-    fn processes(&self) -> Vec<ProcessPlace> {
+    fn processes(&self) -> Vec<NamedProcess> {
         let place_of = |key: &SeenKey| {
             let name = key.field.process()?.to_owned();
-            Some(ProcessPlace { name, place: key.place.clone() })
+            Some(NamedProcess { name, place: key.place.clone() })
         };
         self.0.iter().filter_map(place_of).collect()
     }

@@ -14,12 +14,18 @@ pub(in crate::verify) struct ZipEntry<'a> {
     pub(in crate::verify) content: &'a [u8],
 }
 
-/// Mark, and length of the fixed part, of the header before a content.
-const LOCAL: (&[u8], usize) = (b"PK\x03\x04", 30);
-/// Mark, and length of the fixed part, of an entry of the directory.
-const CENTRAL: (&[u8], usize) = (b"PK\x01\x02", 46);
-/// Mark and length of the record at the end of an archive without a comment.
-const END: (&[u8], usize) = (b"PK\x05\x06", 22);
+/// The fixed part of a header: the bytes with which it begins, and its length.
+struct Header {
+    mark: &'static [u8],
+    length: usize,
+}
+
+/// The header before a content.
+const LOCAL: Header = Header { mark: b"PK\x03\x04", length: 30 };
+/// An entry of the directory.
+const CENTRAL: Header = Header { mark: b"PK\x01\x02", length: 46 };
+/// The record at the end of an archive without a comment.
+const END: Header = Header { mark: b"PK\x05\x06", length: 22 };
 
 /// Where a header of an entry states its facts: the bytes from its version on, alike in both headers.
 const FLAGS: usize = 2;
@@ -36,8 +42,8 @@ const FACTS: usize = 26;
 /// The directory and the headers before the contents are both read and must agree, and the entries must fill the archive: two programs
 /// that read either find the same.
 pub(in crate::verify) fn read_zip(bytes: &[u8]) -> Result<Vec<ZipEntry<'_>>, Finding> {
-    let tail = bytes.len().checked_sub(END.1).map(|start| &bytes[start..]);
-    let Some(end) = tail.filter(|end| end.starts_with(END.0)) else {
+    let tail = bytes.len().checked_sub(END.length).map(|start| &bytes[start..]);
+    let Some(end) = tail.filter(|end| end.starts_with(END.mark)) else {
         return Err(fault("no record of its end", "an archive without a comment"));
     };
     let (Some(count), Some(length), Some(start)) = (number16(end, 10), number32(end, 12), number32(end, 16))
@@ -47,18 +53,18 @@ pub(in crate::verify) fn read_zip(bytes: &[u8]) -> Result<Vec<ZipEntry<'_>>, Fin
     if end[4..8] != [0; 4] || end[8..10] != end[10..12] || end[20..] != [0; 2] {
         return Err(fault("several disks, or a comment", "an archive on one disk, without a comment"));
     }
-    if start.checked_add(length) != Some(bytes.len() - END.1) {
+    if start.checked_add(length) != Some(bytes.len() - END.length) {
         return Err(fault("a directory that does not reach the end", "entries, then their directory"));
     }
     let (mut entries, mut names) = (Vec::new(), HashSet::new());
     let (mut place, mut offset) = (start, 0);
     for _ in 0..count {
-        let entry = read_entry(&bytes[..bytes.len() - END.1], place, offset)?;
+        let entry = read_entry(&bytes[..bytes.len() - END.length], place, offset)?;
         if !names.insert(entry.name) {
             return Err(fault(format!("{} twice", quote(entry.name)), "names that differ"));
         }
-        place += CENTRAL.1 + entry.name.len();
-        offset += LOCAL.1 + entry.name.len() + entry.content.len();
+        place += CENTRAL.length + entry.name.len();
+        offset += LOCAL.length + entry.name.len() + entry.content.len();
         entries.push(entry);
     }
     if place != start + length || offset != start {
@@ -69,9 +75,10 @@ pub(in crate::verify) fn read_zip(bytes: &[u8]) -> Result<Vec<ZipEntry<'_>>, Fin
 
 /// The entry whose directory entry lies at `place`, and whose content must begin with a header at `offset`.
 fn read_entry(bytes: &[u8], place: usize, offset: usize) -> Result<ZipEntry<'_>, Finding> {
-    let cut = || fault("an entry beyond its end", "whole entries");
-    let central = headed(bytes, place, CENTRAL).ok_or_else(cut)?;
-    let local = headed(bytes, offset, LOCAL).ok_or_else(cut)?;
+    // Both headers state the same facts. They are compared first, so that the rest is read once: the name, then the content, whose
+    // checksum is computed.
+    let central = headed(bytes, place, &CENTRAL).ok_or_else(beyond_end)?;
+    let local = headed(bytes, offset, &LOCAL).ok_or_else(beyond_end)?;
     let (stated, repeated) = (&central[6..6 + FACTS], &local[4..4 + FACTS]);
     if stated != repeated || number32(central, 42) != Some(offset) || central[32..34] != [0, 0] {
         return Err(fault("an entry that its directory states otherwise", "the same facts in both"));
@@ -82,22 +89,27 @@ fn read_entry(bytes: &[u8], place: usize, offset: usize) -> Result<ZipEntry<'_>,
         number32(stated, SIZES[0]),
         number32(stated, CHECKSUM),
     ) else {
-        return Err(cut());
+        return Err(beyond_end());
     };
-    let name_bytes = part(bytes, place + CENTRAL.1, name_length).ok_or_else(cut)?;
+    let name_bytes = part(bytes, place + CENTRAL.length, name_length).ok_or_else(beyond_end)?;
     let name = std::str::from_utf8(name_bytes).map_err(|_| fault("a name that is not UTF-8", "a text"))?;
-    if part(bytes, offset + LOCAL.1, name_length) != Some(name_bytes) {
+    if part(bytes, offset + LOCAL.length, name_length) != Some(name_bytes) {
         return Err(fault(format!("{} under another name", quote(name)), "the name of the directory"));
     }
     let is_plain = number16(stated, FLAGS) == Some(0) && number16(stated, METHOD) == Some(0);
     if !is_plain || extra_length != 0 || number32(stated, SIZES[1]) != Some(length) {
         return Err(fault(format!("{}, compressed or with extras", quote(name)), "stored entries"));
     }
-    let content = part(bytes, offset + LOCAL.1 + name_length, length).ok_or_else(cut)?;
+    let content = part(bytes, offset + LOCAL.length + name_length, length).ok_or_else(beyond_end)?;
     if usize::try_from(crc32(content)) != Ok(checksum) {
         return Err(fault(format!("{} with another checksum", quote(name)), "the stated CRC-32"));
     }
     Ok(ZipEntry { name, content })
+}
+
+/// The finding about an entry of which a part is missing.
+fn beyond_end() -> Finding {
+    fault("an entry beyond its end", "whole entries")
 }
 
 /// A finding about the archive.
@@ -105,9 +117,9 @@ fn fault(problem: impl Into<String>, allowed: &str) -> Finding {
     Finding::new(FindingCode::BadZip, problem, allowed)
 }
 
-/// The fixed part at `place` of a header with this mark and length; `None` if another thing is there.
-fn headed<'a>(bytes: &'a [u8], place: usize, (mark, length): (&[u8], usize)) -> Option<&'a [u8]> {
-    part(bytes, place, length).filter(|header| header.starts_with(mark))
+/// The fixed part at `place` of such a header; `None` if another thing is there.
+fn headed<'a>(bytes: &'a [u8], place: usize, Header { mark, length }: &Header) -> Option<&'a [u8]> {
+    part(bytes, place, *length).filter(|header| header.starts_with(mark))
 }
 
 /// `length` bytes from `place`; `None` beyond the end.

@@ -68,10 +68,8 @@ impl<'a> Package<'a> {
     /// The program to which all parts lead.
     fn program(&self) -> Result<&'a str, Finding> {
         let types = parse(self.text("[Content_Types].xml")?)?;
-        let has_type = |ending: &str| {
-            elements(&types, "Default").any(|default| default.attribute("Extension") == Some(ending))
-        };
-        if let Some(ending) = ["rels", "model", "gcode"].into_iter().find(|ending| !has_type(ending)) {
+        let mut endings = ["rels", "model", "gcode"].into_iter();
+        if let Some(ending) = endings.find(|ending| !has_type(&types, ending)) {
             return Err(fault(format!("no type of {}", quote(ending)), "a type for each ending"));
         }
         let model = self.target("_rels/.rels", MODEL_KIND)?;
@@ -111,6 +109,11 @@ impl<'a> Package<'a> {
 /// The elements called `name`, wherever they stand.
 fn elements<'d, 'i>(document: &'d Document<'i>, name: &str) -> impl Iterator<Item = Node<'d, 'i>> {
     document.descendants().filter(move |node| node.tag_name().name() == name)
+}
+
+/// Whether the list of types has one for this `ending`.
+fn has_type(types: &Document<'_>, ending: &str) -> bool {
+    elements(types, "Default").any(|default| default.attribute("Extension") == Some(ending))
 }
 
 /// A finding about the parts.
