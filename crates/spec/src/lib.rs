@@ -24,6 +24,7 @@ mod fault;
 mod faults;
 mod foreign;
 pub mod key;
+mod laser;
 mod load;
 mod machine;
 mod material;
@@ -67,6 +68,7 @@ pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
 pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
+pub use laser::{FOCUSES, LASER_PROFILE, LaserDrive, POWERS};
 pub use machine::{
     Bench, CONTACT, Comments, Controller, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
     Process, Script, SealingTool, SheetPlace,

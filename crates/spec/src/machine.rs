@@ -2,6 +2,7 @@
 
 use crate::allowed::Allowed;
 use crate::dialect::Dialect;
+use crate::laser::LaserDrive;
 use crate::motion::Motion;
 use crate::name::is_plain_word;
 use crate::service::Service;
@@ -40,6 +41,7 @@ impl Machine {
             heating: Heating::Operator,
             thumbnails: false,
             place: SheetPlace::default(),
+            laser: None,
         };
         let heights = Heights { contact: Length(0.0), travel: Length(0.0), park: Length(0.0) };
         let process = Process {
@@ -67,6 +69,8 @@ impl Machine {
 pub enum SealingTool {
     /// A hot tip that programs lead along the seams.
     Iron,
+    /// A laser whose spot programs lead along the seams; the controller drives it.
+    Laser,
     /// Two plates, which press a whole sheet at once and run no program. The controller of such a machine means nothing.
     Press,
 }
@@ -90,6 +94,15 @@ pub struct Controller {
     pub thumbnails: bool,
     /// The place of the sheet in the controller's coordinates.
     pub place: SheetPlace,
+    /// The laser that it drives; `None` of a machine with an iron.
+    pub laser: Option<LaserDrive>,
+}
+
+impl Controller {
+    /// The heat of the tool, as programs name it: "laser", or the name of the heating.
+    pub fn heating_name(&self) -> String {
+        if self.laser.is_some() { "laser".to_owned() } else { self.heating.name() }
+    }
 }
 
 /// The place of the sheet in the controller's coordinates: 0 where the operator sets them by hand.
@@ -283,10 +296,10 @@ impl Heating {
     }
 }
 
-/// Heights of the tip; Z 0 is the top of the release layer.
+/// Heights of the tip, or of a laser's focus; Z 0 is the top of the release layer, or of the sheet below a laser.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heights {
-    /// While sealing: 0 for a rigid iron, below 0 for a spring-loaded one.
+    /// While sealing: 0 for a rigid iron, below 0 for a spring-loaded one; of a laser the height of its focus, above 0.
     pub contact: Length,
     /// While travelling between seams.
     pub travel: Length,
