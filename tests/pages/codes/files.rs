@@ -40,6 +40,8 @@ enum Base {
     Homed,
     /// Stops above the marks of the sheet.
     Marked,
+    /// Sealed by a laser.
+    Laser,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -69,6 +71,12 @@ const EDITS: &[Edit] = &[
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
     edit_of(Base::Clamped, edit("clamp-in-the-way", SEAL, "M2\n", "G0 X4 Y330 F1200\nM2\n")),
     edit("bad-xml", SVG, "</title>", "</titel>"),
+    edit_of(Base::Laser, edit("beam-at-end", SEAL, "M5\nM2\n", "M4 S0\nM2\n")),
+    edit_of(Base::Laser, edit("beam-at-rest", SEAL, "M4 S0\n", "M4 S80\n")),
+    edit_of(Base::Laser, edit("beam-constant", SEAL, "M4 S0\n", "M3 S0\n")),
+    edit_of(Base::Laser, edit("beam-in-travel", SEAL, "M5\nG0 X", "G0 X1 Y1 S80\nM5\nG0 X")),
+    edit_of(Base::Laser, edit("beam-off-focus", SEAL, " S0\nM5\n", "\nM5\n")),
+    edit_of(Base::Laser, edit("wrong-power", SEAL, " S80\n", " S88\n")),
     edit_of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
     edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
     edit("cold-seal", SEAL, "M0\n", "\n"),
@@ -157,6 +165,8 @@ const EDITS: &[Edit] = &[
     edit("bad-stl", "star-1-mask.stl", "of star", "star"),
 ];
 
+const LASER: &str =
+    "[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\n[machine]\nprofile = \"grbl-laser\"\n";
 const PAPER: &str = include_str!("../../../designs/paper-five-points.toml");
 
 /// A profile with a clamp that no way of the program comes near to.
@@ -179,6 +189,7 @@ fn built(base: Base) -> Built {
         Base::Homed => "[machine]\nprofile = \"klipper-printer\"\n",
         Base::Cooled => "[seal]\ncool = \"3 s\"\n",
         Base::Marked => "[machine]\nmarks = \"pause\"\n",
+        Base::Laser => LASER,
     };
     let text = format!("{PAPER}{rest}");
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
@@ -201,6 +212,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Cooled,
         Base::Homed,
         Base::Marked,
+        Base::Laser,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }
