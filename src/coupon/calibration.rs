@@ -476,14 +476,14 @@ mod tests {
     fn the_fastest_laser_that_holds_is_chosen() {
         let table = "strip,power_percent,speed_mm_s,focus_mm,peel_N,failure\n1,8,10,12,75,\n2,8,10,12,78,\n3,8,10,12,72,\n\
             4,8,20,12,20,\n5,8,20,12,21,\n6,8,20,12,19,\n7,10,20,12,80,\n8,10,20,12,80,\n9,10,20,12,80,\n10,10,40,12,,\n";
-        let settings = settings(&read_laser_rows(&Source::new("results.csv", table)).expect("a table"));
-        let chosen = calibrate(&settings, 1.5, 1.5).expect("10 % hold at 20 mm/s");
+        let tested = settings(&read_laser_rows(&Source::new("results.csv", table)).expect("a table"));
+        let fastest = calibrate(&tested, 1.5, 1.5).expect("10 % hold at 20 mm/s");
         assert!(
-            chosen.toml().ends_with("[seal]\npower = \"10 %\"\nspeed = \"20 mm/s\"\nfocus = \"12 mm\"\n"),
+            fastest.toml().ends_with("[seal]\npower = \"10 %\"\nspeed = \"20 mm/s\"\nfocus = \"12 mm\"\n"),
             "{}",
-            chosen.toml()
+            fastest.toml()
         );
-        assert!(chosen.process_toml("strong").contains("[process.strong]\npower = \"10 %\""));
+        assert!(fastest.process_toml("strong").contains("[process.strong]\npower = \"10 %\""));
         let faults = read_laser_rows(&Source::new("results.csv", table.replace("1,8,10", "1,800,10")))
             .expect_err("S words");
         assert!(faults.to_string().contains("not S words"), "{faults}");

@@ -11,6 +11,7 @@ use crate::machine::to_micrometres;
 use crate::profile::builtin_machine;
 use crate::raw::RawSpec;
 use crate::section::Section;
+use crate::source::Source;
 use crate::units::Length;
 use crate::value::{RawTable, RawValue};
 use crate::{FaultCode, key};
@@ -23,23 +24,15 @@ pub const POWERS: Allowed = Allowed::half_open(0.0, 100.0);
 /// Heights of a laser's focus above the sheet, mm.
 pub const FOCUSES: Allowed = Allowed::half_open(0.0, 500.0);
 
-/// The laser of a machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LaserDrive {
-    /// The S word of full power: `$30` of GRBL and grblHAL.
-    pub full_power: f64,
-}
-
-impl LaserDrive {
-    /// The S word of `percent` of full power, in whole thousandths.
-    pub fn word(self, percent: f64) -> f64 {
-        (self.full_power * percent * 10.0).round() / 1000.0
-    }
-}
-
 /// Reads `focus`, in whole micrometres as other heights.
 pub(super) fn read_focus(s: &mut Section<'_, '_>) -> Option<Length> {
     s.quantity("focus", FOCUSES).map(|Length(mm)| Length(to_micrometres(mm)))
+}
+
+/// Whether `source` is a spec for a laser, whatever faults it has.
+pub fn seals_by_laser(source: &Source) -> bool {
+    let (raw, _) = RawSpec::parse(&source.text);
+    place_of(&raw, "seal", "power").is_some()
 }
 
 /// Keys that a spec for a laser does not have: section, key, and the remedy.
@@ -135,7 +128,6 @@ fn processes(raw: &RawSpec) -> impl Iterator<Item = (&str, &RawTable)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Source;
     use crate::units::{Percent, Temperature};
     use crate::{Faults, Reading, read};
 
@@ -174,10 +166,16 @@ mod tests {
         }
     }
 
+    /// A spec for a laser whose outer loop is sealed by a process with `keys`.
+    fn with_process(keys: &str) -> String {
+        format!("outer_process = \"weak\"\n{SEAL}{MACHINE}[process.weak]\n{keys}\n")
+    }
+
     #[test]
     fn every_fault_of_a_laser_has_its_code_and_its_remedy() {
-        let process =
-            |keys: &str| format!("outer_process = \"weak\"\n{SEAL}{MACHINE}[process.weak]\n{keys}\n");
+        // Each text has one fault. A key is missing, or only irons have it, or its value is out of range. A key of a laser without
+        // a power is one, too. The cut comes last and alone, because its section has required keys of its own.
+        // Every fault is compared by its code, and by the part of its text that tells the remedy.
         for (rest, code, words) in [
             (MACHINE.to_owned(), "missing-key", "write power ="),
             (format!("[seal]\npower = \"8 %\"\n{MACHINE}"), "missing-key", "for example tip ="),
@@ -186,9 +184,9 @@ mod tests {
             (format!("{SEAL}temperature = \"200 C\"\n{MACHINE}"), "conflict", "`power` takes its place"),
             (format!("{SEAL}height = \"-0.1 mm\"\n{MACHINE}"), "conflict", "write `focus`"),
             (format!("{SEAL}{MACHINE}feed_floor = \"chop\"\n"), "conflict", "would burn holes"),
-            (process("temperature = \"170 C\""), "conflict", "`power` takes its place"),
-            (process("height = \"0 mm\""), "conflict", "write `focus`"),
-            (process("lines = 2"), "conflict", "write lines = 7"),
+            (with_process("temperature = \"170 C\""), "conflict", "`power` takes its place"),
+            (with_process("height = \"0 mm\""), "conflict", "write `focus`"),
+            (with_process("lines = 2"), "conflict", "write lines = 7"),
             (format!("[seal]\npower = \"0 %\"\ntip = \"1 mm\"\n{MACHINE}"), "out-of-range", "more than 0 %"),
             (
                 format!("[seal]\npower = \"101 %\"\ntip = \"1 mm\"\n{MACHINE}"),

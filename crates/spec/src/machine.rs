@@ -2,7 +2,6 @@
 
 use crate::allowed::Allowed;
 use crate::dialect::Dialect;
-use crate::laser::LaserDrive;
 use crate::motion::Motion;
 use crate::name::is_plain_word;
 use crate::service::Service;
@@ -32,6 +31,8 @@ pub struct Machine {
 impl Machine {
     /// A heat press, which has neither a controller nor an iron.
     pub(crate) fn press(name: String, description: String) -> Self {
+        // No program is written for a press. The controller's values are those of the plainest one, so that a room that asks for
+        // one finds nothing that a controller could do.
         let controller = Controller {
             dialect: Dialect::Generic,
             line_length: 72,
@@ -73,6 +74,20 @@ pub enum SealingTool {
     Laser,
     /// Two plates, which press a whole sheet at once and run no program. The controller of such a machine means nothing.
     Press,
+}
+
+/// The laser of a machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaserDrive {
+    /// The S word of full power: `$30` of GRBL and grblHAL.
+    pub full_power: f64,
+}
+
+impl LaserDrive {
+    /// The S word of `percent` of full power, in whole thousandths.
+    pub fn word(self, percent: f64) -> f64 {
+        (self.full_power * percent * 10.0).round() / 1000.0
+    }
 }
 
 /// The language and abilities of the controller: enough to write a program for it, and to read one.

@@ -95,7 +95,7 @@ acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # unit = "s"  # of G4's P; of the dialects marlin, klipper, reprapfirmware and bambu it is "ms", and no other is taken
 # step = "1 ms"
 [laser]  # A laser, with `tool = "laser"`. Such a profile has no `contact` in [heights], no `heating` and no `spring_loaded`.
-full_power = 1000  # S of full power: $30 of GRBL and grblHAL, the end of `speed_map` of FluidNC
+full_power = 1000  # the S word of full power: $30 of GRBL and grblHAL, the end of `speed_map` of FluidNC
 focus = "12 mm"  # height of its focus above the sheet, for a spot as wide as `tip` in [seal]; below `travel`
 laser_mode = true  # that $32=1 is set (FluidNC: a Laser spindle in its configuration); false is refused
 [keep_out]

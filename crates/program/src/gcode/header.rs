@@ -185,16 +185,20 @@ fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"));
         }
     }
-    if let Some(laser) = machine.controller.laser {
-        for line in laser_settings(&machine.controller, laser) {
-            writer.requirement(&format!("requires: {line}"));
-        }
-        for line in LASER_SAFETY {
-            writer.comment(&format!("safety: {line}"));
-        }
-    }
+    laser_conditions(writer, machine);
     for line in &machine.script.requires {
         writer.requirement(&format!("requires: {line}"));
+    }
+}
+
+/// The settings on which a program for a laser relies, and what protects the people around it.
+fn laser_conditions(writer: &mut Writer<'_>, machine: &Machine) {
+    let Some(laser) = machine.controller.laser else { return };
+    for line in laser_settings(&machine.controller, laser) {
+        writer.requirement(&format!("requires: {line}"));
+    }
+    for line in LASER_SAFETY {
+        writer.comment(&format!("safety: {line}"));
     }
 }
 

@@ -204,6 +204,13 @@ impl<'a> Writer<'a> {
             self.out.push_str(" F");
             self.out.push_str(&number(feed));
         }
+        self.power_word();
+        self.at = to;
+        self.out.push('\n');
+    }
+
+    /// The S word of a laser, where it changes.
+    fn power_word(&mut self) {
         if let Some([in_force, word]) = &mut self.beam
             && in_force != word
         {
@@ -211,8 +218,6 @@ impl<'a> Writer<'a> {
             self.out.push_str(" S");
             self.out.push_str(&number(*word));
         }
-        self.at = to;
-        self.out.push('\n');
     }
 
     /// Centre of the arc through the rounded points; `None` where a straight move is as good.

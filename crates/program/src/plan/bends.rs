@@ -26,15 +26,15 @@ pub(super) struct FastTool {
 
 impl FastTool {
     /// The tool at the end of `piece`, which it follows at `speed`, mm/s, with a rise of `rise` mm.
-    pub(super) fn after(piece: &Segment, rise: f64, speed: f64, acceleration: f64) -> Self {
+    pub(super) fn following(piece: &Segment, rise: f64, speed: f64, acceleration: f64) -> Self {
         Self { speed, acceleration, direction: direction(piece, rise, 1.0) }
     }
 
-    /// Time lost where a tool begins to follow `piece` after `before`, or from rest, s.
-    pub(super) fn loss(self, piece: &Segment, rise: f64, before: Option<Self>) -> f64 {
+    /// Time lost where a tool begins to follow `piece` after `previous`, or from rest, s.
+    pub(super) fn loss(self, piece: &Segment, rise: f64, previous: Option<Self>) -> f64 {
         let start = direction(piece, rise, 0.0);
-        let Some(before) = before else { return 0.5 * self.speed / self.limit(start) };
-        let bend: [f64; 3] = std::array::from_fn(|i| start[i] - before.direction[i]);
+        let Some(previous) = previous else { return 0.5 * self.speed / self.limit(start) };
+        let bend: [f64; 3] = std::array::from_fn(|i| start[i] - previous.direction[i]);
         let turn = length(bend);
         if turn < 1e-6 {
             return 0.0;
@@ -43,8 +43,8 @@ impl FastTool {
         let sin_half = (1.0 - 0.25 * turn * turn).max(0.0).sqrt();
         let junction = self.limit(bend.map(|d| d / turn)) * DEVIATION * sin_half / (1.0 - sin_half);
         let passed = junction.sqrt().min(self.speed);
-        let lost = |way: Direction| 0.5 * (self.speed - passed).powi(2) / (self.limit(way) * self.speed);
-        lost(before.direction) + lost(start)
+        let slowness = 0.5 * (self.speed - passed).powi(2) / self.speed;
+        slowness / self.limit(previous.direction) + slowness / self.limit(start)
     }
 
     /// Time lost where it stops, s.
@@ -62,8 +62,8 @@ impl FastTool {
 fn direction(piece: &Segment, rise: f64, t: f64) -> Direction {
     let (flat, tangent) = (piece.length(), piece.tangent(t));
     let way = [tangent.x * flat, tangent.y * flat, rise];
-    let whole = length(way);
-    way.map(|part| part / whole)
+    let distance = length(way);
+    way.map(|part| part / distance)
 }
 
 fn length(way: [f64; 3]) -> f64 {
@@ -82,15 +82,14 @@ mod tests {
     /// 10 mm/s and 500 mm/s^2: 10 ms at each end; straight on nothing; round a right angle at 3.5 mm/s.
     #[test]
     fn corners_cost_what_braking_and_starting_cost() {
-        let (first, on, up) =
-            (line((0.0, 0.0), (9.0, 0.0)), line((9.0, 0.0), (18.0, 0.0)), line((9.0, 0.0), (9.0, 9.0)));
-        let tool = FastTool::after(&first, 0.0, 10.0, 500.0);
+        let first = line((0.0, 0.0), (9.0, 0.0));
+        let tool = FastTool::following(&first, 0.0, 10.0, 500.0);
         assert!((tool.loss(&first, 0.0, None) - 0.01).abs() < 1e-12 && (tool.stop() - 0.01).abs() < 1e-12);
-        assert_eq!(tool.loss(&on, 0.0, Some(tool)), 0.0);
+        assert_eq!(tool.loss(&line((9.0, 0.0), (18.0, 0.0)), 0.0, Some(tool)), 0.0);
         let s = 0.5_f64.sqrt();
         let passed = (500.0 / s * 0.01 * s / (1.0 - s)).sqrt();
-        let lost = (10.0 - passed).powi(2) / (500.0 * 10.0);
-        assert!((tool.loss(&up, 0.0, Some(tool)) - lost).abs() < 1e-9, "{passed}");
+        let loss = tool.loss(&line((9.0, 0.0), (9.0, 9.0)), 0.0, Some(tool));
+        assert!((loss - (10.0 - passed).powi(2) / (500.0 * 10.0)).abs() < 1e-9, "{passed}");
         // Back the way it came it stops.
         let back = line((9.0, 0.0), (0.0, 0.0));
         assert!((tool.loss(&back, 0.0, Some(tool)) - 0.02).abs() < 1e-9);

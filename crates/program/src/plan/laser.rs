@@ -30,14 +30,14 @@ pub fn laser_settings(controller: &Controller, drive: LaserDrive) -> [String; 2]
 
 /// The refusal of a laser for a spec of an iron, or of an iron for a spec with `power`; `None` if both agree.
 pub fn no_laser(spec: &Spec, machine: &Machine) -> Option<Refusal> {
-    let found = match (machine.controller.laser, spec.seal.power) {
+    let fault = match (machine.controller.laser, spec.seal.power) {
         (Some(_), None) => format!("{} is a laser, and [seal] has no `power`", machine.name),
         (None, Some(power)) => format!("`power` in [seal] is {power}, and {} is no laser", machine.name),
         (Some(_), Some(_)) | (None, None) => return None,
     };
     let remedy =
         "write a profile with tool = \"laser\" in [machine], and `power` and `tip` in [seal]; or neither";
-    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoLaser, found, remedy))
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoLaser, fault, remedy))
 }
 
 /// A refusal for each process whose focus is not below the height of travels: the laser would go up to weld.
@@ -50,9 +50,9 @@ pub(super) fn high_focus(spec: &Spec, machine: &Machine, programs: &[Program]) -
             continue;
         }
         let key = if process.is_default() { key::seal::FOCUS } else { key::process::FOCUS };
-        let found = format!("the focus is {focus} above the sheet, and travels are {travel} above it");
+        let fault = format!("the focus is {focus} above the sheet, and travels are {travel} above it");
         let remedy = "must be lower than `travel` in [heights] of the profile: raise that, or lower `focus`";
-        refusals.push(of_process(spec, process, Refusal::new(key, RefusalCode::HighFocus, found, remedy)));
+        refusals.push(of_process(spec, process, Refusal::new(key, RefusalCode::HighFocus, fault, remedy)));
     }
     refusals
 }

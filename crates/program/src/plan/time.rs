@@ -40,7 +40,7 @@ impl<'a> Clock<'a> {
         let Machine { controller, motion, .. } = self.machine;
         let Some(acceleration) = motion.acceleration.filter(|_| controller.laser.is_some()) else { return };
         let rise = heights.map_or(0.0, |(from, to)| to - from);
-        let tool = FastTool::after(piece, rise, speed, acceleration.0);
+        let tool = FastTool::following(piece, rise, speed, acceleration.0);
         self.elapsed += tool.loss(piece, rise, self.fast.replace(tool));
     }
 

@@ -4,8 +4,8 @@ use crate::FaultCode;
 use crate::allowed::Allowed;
 use crate::dialect::Dialect;
 use crate::fault::Fault;
-use crate::laser::{LaserDrive, read_focus};
-use crate::machine::SealingTool;
+use crate::laser::read_focus;
+use crate::machine::{LaserDrive, SealingTool};
 use crate::section::{Reader, Section};
 use crate::units::Length;
 

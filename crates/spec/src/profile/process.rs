@@ -35,6 +35,8 @@ pub(super) fn read_process(
 }
 
 fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>, focus: Option<Length>) -> Heights {
+    // A laser's focus takes the place of the contact that an iron must have. Then each height must be above the one before it,
+    // as far as both could be read.
     s.require_if(focus.is_none(), &[("contact", "\"0 mm\"")]);
     s.require(&[("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
     let mut height = |key, allowed| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x)));

@@ -140,8 +140,7 @@ pub(super) struct NoBeam;
 
 impl Judge for NoBeam {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        let is_armed = |event: &&Event| matches!(event, Event::Beam(beam) if beam.mode != BeamMode::Off);
-        if line.events.iter().any(|event| is_armed(&event)) {
+        if line.events.iter().any(|event| matches!(event, Event::Beam(beam) if beam.mode != BeamMode::Off)) {
             let fault = "a trace that arms the laser";
             findings.add_at(
                 FindingCode::HotTrace,
