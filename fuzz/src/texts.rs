@@ -34,7 +34,7 @@ pub(super) fn machine(bytes: &[u8]) {
         Err(faults) => return shown::faults(&faults),
     };
     let small = spec::read(&Source::new("small", super::builds::SMALL)).expect("valid").spec;
-    match Forecast::of(small, machine) {
+    match Forecast::new(small, machine) {
         Ok(forecast) => {
             let time: f64 = forecast.programs.iter().map(|program| program.time).sum();
             assert!(time.is_finite() && time > 0.0, "{time} s");

@@ -13,7 +13,7 @@ use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
 use stargrip_cam::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction as Drawn};
 use stargrip_cam::forecast::keys::{Key, KeyKind};
 use stargrip_cam::forecast::prediction as answers;
-use stargrip_cam::units::counted;
+use stargrip_cam::units::count_text;
 
 use crate::mesh::Mesh;
 
@@ -45,14 +45,14 @@ impl Answer {
     }
 
     /// The text of `repr`.
-    fn shown(&self) -> String {
+    fn representation(&self) -> String {
         match self {
             Self::Gripper(given, answer) => {
                 let name = &given.reading.spec.name;
                 match answer {
                     GripperAnswer::Star(star) => format!("<Prediction {name:?} by {}>", star.first.model),
                     GripperAnswer::Drawn(drawn) => {
-                        let chambers = counted(drawn.chambers.len(), "chamber");
+                        let chambers = count_text(drawn.chambers.len(), "chamber");
                         format!("<DrawnPrediction {name:?} by {}: {chambers}>", drawn.model)
                     }
                 }
@@ -172,7 +172,7 @@ macro_rules! answer {
             }
 
             fn __repr__(&self) -> String {
-                self.0.answer.shown()
+                self.0.answer.representation()
             }
 
             /// The answer as a table of its numbers with their ranges, for notebooks.
@@ -185,16 +185,16 @@ macro_rules! answer {
                 _class: &Bound<'_, PyType>,
                 fields: Py<PyDict>,
                 page: String,
-                shown: String,
+                representation: String,
                 mesh: Option<Py<Mesh>>,
             ) -> Self {
-                let answer = Answer::Restored { fields, page, shown };
+                let answer = Answer::Restored { fields, page, shown: representation };
                 Self(PythonAnswer { answer, fields: PyOnceLock::new(), mesh })
             }
 
             fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
                 let (py, PythonAnswer { answer, mesh, .. }) = (slf.py(), &slf.get().0);
-                let state = (answer.dict(py)?, answer.page(), answer.shown(), mesh.as_ref());
+                let state = (answer.dict(py)?, answer.page(), answer.representation(), mesh.as_ref());
                 Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(py)?))
             }
         }

@@ -72,12 +72,12 @@ fn names_of_kinds() -> String {
 }
 
 /// The only kinds of files.
-pub(crate) fn only(value: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Kind>>> {
+pub(crate) fn only_kinds(value: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Kind>>> {
     kinds("only", value)
 }
 
 /// Further kinds of files.
-pub(crate) fn with(value: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Kind>>> {
+pub(crate) fn more_kinds(value: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Kind>>> {
     kinds("with_", value)
 }
 

@@ -14,7 +14,7 @@ use stargrip_cam::cli::publish;
 use stargrip_cam::design::{RefusalCode, Refusals};
 use stargrip_cam::manifest::Tool;
 use stargrip_cam::pipeline::{Forecast, Planned, Proven, no_requested_programs};
-use stargrip_cam::units::counted;
+use stargrip_cam::units::count_text;
 use stargrip_cam::verify::Finding;
 
 use crate::answer::of_gripper;
@@ -58,8 +58,8 @@ enum Stopped {
 pub(crate) fn build(
     py: Python<'_>,
     spec: &Spec,
-    #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
-    #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
+    #[pyo3(from_py_with = arguments::only_kinds)] only: Option<Vec<Kind>>,
+    #[pyo3(from_py_with = arguments::more_kinds)] with_: Option<Vec<Kind>>,
     anyway: bool,
     progress: Option<&Bound<'_, PyAny>>,
     unknown: Option<&Bound<'_, PyDict>>,
@@ -94,7 +94,7 @@ fn build_proven(
         Stopped::Refused(refusals)
     })?;
     if !anyway {
-        forecast.unfit().or(()).map_err(Stopped::Refused)?;
+        forecast.unfit().or_value(()).map_err(Stopped::Refused)?;
     }
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.2, "files");
@@ -171,8 +171,8 @@ impl Build {
         _class: &Bound<'_, PyType>,
         py: Python<'_>,
         spec: &Spec,
-        #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
-        #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
+        #[pyo3(from_py_with = arguments::only_kinds)] only: Option<Vec<Kind>>,
+        #[pyo3(from_py_with = arguments::more_kinds)] with_: Option<Vec<Kind>>,
         anyway: bool,
         version: &str,
     ) -> PyResult<Self> {
@@ -196,7 +196,7 @@ impl Build {
 
     fn __repr__(&self) -> String {
         let built = self.proven.built();
-        format!("<Build {:?}: {}>", built.manifest.name, counted(built.artifacts.len() + 1, "file"))
+        format!("<Build {:?}: {}>", built.manifest.name, count_text(built.artifacts.len() + 1, "file"))
     }
 }
 

@@ -10,7 +10,7 @@ use stargrip_cam::design as exact;
 use stargrip_cam::design::{Contour as Trimmed, Part, PlacedPart, Side, StarDesign};
 use stargrip_cam::geom::{Path, Point};
 use stargrip_cam::pipeline::Forecast;
-use stargrip_cam::units::counted;
+use stargrip_cam::units::count_text;
 
 use crate::arrays::{floats, rows};
 use crate::faults::{of_design, usage};
@@ -86,7 +86,7 @@ impl Design {
     /// The preview of its first sheet, for notebooks: None if the machine cannot seal it.
     fn _repr_svg_(&self) -> Option<String> {
         let Loaded { reading, machine, .. } = self.given.as_ref();
-        let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
+        let forecast = Forecast::new(reading.spec.clone(), machine.clone()).ok()?;
         let built = forecast.build(self.given.sources(), &KindRequest::exactly(&[Kind::PreviewSvg]));
         let preview = built.artifacts.into_iter().find(|file| file.output.kind == Kind::PreviewSvg)?;
         String::from_utf8(preview.bytes).ok()
@@ -107,7 +107,7 @@ impl Design {
         let name = &self.given.reading.spec.name;
         let (pieces, sheets) = (self.design.placed().len(), self.design.sheets.len());
         let kind = if self.design.assembly().is_some() { "star" } else { "piece" };
-        format!("<Design {name:?}: {}, {}>", counted(pieces, kind), counted(sheets, "sheet"))
+        format!("<Design {name:?}: {}, {}>", count_text(pieces, kind), count_text(sheets, "sheet"))
     }
 }
 
@@ -293,8 +293,8 @@ impl Star {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { whole, placed } = slf.get();
-        let state = (whole, placed.index).into_pyobject(slf.py())?;
+        let star = slf.get();
+        let state = (&star.whole, star.placed.index).into_pyobject(slf.py())?;
         Ok((slf.get_type().getattr("_restored")?, state))
     }
 

@@ -121,7 +121,7 @@ fn answer(
     watch: &Watch<'_>,
 ) -> Result<(GripperAnswer, Option<Mesh>), Refused> {
     let (spec, design, _) = star_question.designed(loaded).map_err(Refused::Design)?;
-    if design.drawn().is_some() && !star_question.radii.is_empty() {
+    if design.drawn_pieces().is_some() && !star_question.radii.is_empty() {
         let problem = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
         let fault = PredictFault::new(key::drawing::FILE, problem);
         return Err(Refused::Model(ShellRefusal::Fault(fault)));

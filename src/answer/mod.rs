@@ -32,7 +32,7 @@ pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
         "sealing_time_s": sealing_time(forecast),
         "sheets_mm": sheets,
         "work_area_mm": area,
-        "drawing_notes": forecast.design.drawn().map(|drawn| &drawn.notes),
+        "drawing_notes": forecast.design.drawn_pieces().map(|drawn| &drawn.notes),
         "machine": forecast.machine.name,
         "prediction": match &forecast.drawn {
             Some(drawn) => json!(drawn.prediction),

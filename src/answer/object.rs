@@ -13,7 +13,9 @@ use forecast::sizing::{
 };
 use forecast::verdict::{Holds, Verdict};
 use inflatable::mechanics::hinge::ring::RingTable;
-use spec::units::{Force, Length, Mass, Most, Pressure, Stated, counted, factor, hundredths_down, in_unit};
+use spec::units::{
+    Force, Length, Mass, Most, Pressure, Stated, count_text, factor, hundredths_down, in_unit,
+};
 use spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 
 /// Masses of objects, kg.
@@ -151,7 +153,7 @@ impl NewGripper {
     pub fn star_in_words(&self) -> Option<String> {
         let Forecast { spec, .. } = &self.forecast;
         let (star, load) = (spec.stars.first()?, spec.load.as_ref()?);
-        let stars = counted(spec.stars.len(), "star");
+        let stars = count_text(spec.stars.len(), "star");
         let [width, height] = self.fabric()?.map(f64::round);
         let pressure_text = load
             .pressure
@@ -372,8 +374,8 @@ fn buildable(
     let attempt = |base: &Spec| {
         let text = spec_text(name, choice, base).map_err(|_| Refusals::new())?;
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
-        let forecast = Forecast::of(spec, machine.clone())?;
-        forecast.unfit().or(())?;
+        let forecast = Forecast::new(spec, machine.clone())?;
+        forecast.unfit().or_value(())?;
         Ok((text, forecast))
     };
     let mut base = base.clone();

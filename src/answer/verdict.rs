@@ -16,7 +16,7 @@ use spec::units::Length;
 
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {
-    if forecast.design.drawn().is_some() {
+    if forecast.design.drawn_pieces().is_some() {
         return sealable(forecast);
     }
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::progress;
 use crate::cli::publish::publish;
@@ -64,8 +64,8 @@ pub(super) fn aligned(
 ) -> Result<Proven, Failure> {
     holds_a_build(dir)?;
     let (_, files) = read_directory(dir)?;
-    progress::during(verbosity, "aligning", |_| align(&files, sheet, measured))
-        .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(dir))))
+    progress::with_line(verbosity, "aligning", |_| align(&files, sheet, measured))
+        .map_err(|fault| Failure::Message(format!("{}: {fault}", escaped_line(dir))))
 }
 
 /// Publishes the programs for the moved sheet.
@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = format!(
         "wrote {}\nsheet {}: turned by {turn:.3} deg, shifted by X {:.2} Y {:.2} mm; the marks are {:+.2} mm off their distance\n\
          {}\nproven where the sheet lies now; the machine's zero stays where it was when the marks were measured\n",
-        shown(&target),
+        escaped_line(&target),
         alignment.sheet,
         shift.x,
         shift.y,

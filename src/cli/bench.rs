@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use crate::answer::quantity::{number, quantity, quantity_or_number};
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{TABLE, read_text};
@@ -182,7 +182,7 @@ impl BenchArgs {
     ) -> Result<Option<MeasuredStiffness>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
         let test = read_strip(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
-        let named = |fault: String| Failure::Message(format!("{}: {fault}", shown(path)));
+        let named = |fault: String| Failure::Message(format!("{}: {fault}", escaped_line(path)));
         let strip = BiasStrip { width: self.bias_width.0, length: length.0 };
         let bias = strip.stiffness(&test).map_err(named)?;
         let thickness = loaded.reading.spec.fabric.thickness.metres();
@@ -202,7 +202,7 @@ impl BenchArgs {
 
 /// The elastic properties of the spec's fabric.
 fn elastic_properties(loaded: &Loaded) -> Result<ElasticSheet, Failure> {
-    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&loaded.source.name)));
+    let refused = |fault| Failure::Message(format!("{}: {fault}", escaped_line(&loaded.source.name)));
     sheet(&loaded.reading.spec.fabric).map_err(refused)
 }
 

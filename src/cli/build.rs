@@ -6,13 +6,13 @@ use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::{Loaded, lasting, once};
+use crate::cli::load::{Loaded, lasting, refuse_two_stdin};
 use crate::cli::material::FabricArg;
 use crate::cli::open::open;
-use crate::cli::overview::now;
+use crate::cli::overview::present_time;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
 use crate::cli::verbosity::Verbosity;
@@ -49,7 +49,7 @@ pub(super) struct Args {
 
 /// Builds, proves and publishes each spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    once(&args.specs)?;
+    refuse_two_stdin(&args.specs)?;
     let target_of = targets(args)?;
     if args.watch {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
@@ -75,7 +75,7 @@ fn rebuild_on_save(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
             let published = build_one(args, targets, spec, verbosity).inspect_err(|_| {
                 // The time of day separates the faults of successive saves.
                 if !is_first {
-                    tell(&format!("{} {} was not rebuilt:", time_of_day(), shown(spec)));
+                    tell(&format!("{} {} was not rebuilt:", time_of_day(), escaped_line(spec)));
                 }
             })?;
             let snapshot =
@@ -103,7 +103,7 @@ fn rebuilt(
     snapshot: &Snapshot,
     previous: &Snapshot,
 ) -> Result<(), Failure> {
-    let (time, spec) = (time_of_day(), shown(spec));
+    let (time, spec) = (time_of_day(), escaped_line(spec));
     let seconds = start.elapsed().as_secs_f64();
     verbosity
         .remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", snapshot.changes(previous)))?;
@@ -115,7 +115,7 @@ fn rebuilt(
 
 /// The time of day: "13:02:11".
 fn time_of_day() -> String {
-    now().map_or_else(String::new, |now| now.strftime("%H:%M:%S").to_string())
+    present_time().map_or_else(String::new, |now| now.strftime("%H:%M:%S").to_string())
 }
 
 /// The output directory of each spec whose path determines it; two specs may not share one.
@@ -134,7 +134,8 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
             None => Path::new("out").join(spec.file_stem().unwrap_or("design".as_ref())),
         };
         if let Some((other, _)) = targets.iter().find(|(_, taken)| **taken == target) {
-            let (other_name, spec_name, target_name) = (shown(other), shown(spec), shown(&target));
+            let (other_name, spec_name, target_name) =
+                (escaped_line(other), escaped_line(spec), escaped_line(&target));
             return Err(Failure::Usage(format!(
                 "{other_name} and {spec_name} would both be written to {target_name}: build them one by one, with -o"
             )));
@@ -197,7 +198,7 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
     if args.kinds.is_default() {
         request.add(extras);
         if !verbosity.quiet {
-            let target_name = shown(target);
+            let target_name = escaped_line(target);
             tell(&format!(
                 "note: {target_name} has `{names}`, which is built again; to build other kinds, use --with"
             ));
@@ -205,7 +206,7 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
     } else {
         tell(&format!(
             "note: {} has `{names}`, which is not built again; to build it, add --with {names}",
-            shown(target)
+            escaped_line(target)
         ));
     }
     request

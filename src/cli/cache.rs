@@ -46,7 +46,7 @@ impl Cache {
     }
 
     /// Stores an answer atomically.
-    pub(super) fn put(&self, key: &str, parts: &[&str]) {
+    pub(super) fn store(&self, key: &str, parts: &[&str]) {
         let Some(dir) = &self.dir else { return };
         let Ok(parts) = serde_json::to_string(parts) else { return };
         let text = format!("{}\n{parts}", sha256(&parts));
@@ -74,7 +74,7 @@ mod tests {
         let key = cache.key(&["ab", "c"]);
         assert_ne!(key, cache.key(&["a", "bc"]));
         assert_eq!(cache.get(&key), None);
-        cache.put(&key, &["x\n", "\"y\""]);
+        cache.store(&key, &["x\n", "\"y\""]);
         assert_eq!(cache.get(&key), Some(vec!["x\n".to_owned(), "\"y\"".to_owned()]));
         let path = dir.path().join("new").join(&key);
         let bytes = fs::read(&path).expect("kept");
@@ -84,6 +84,6 @@ mod tests {
         }
         let entries: Vec<_> = fs::read_dir(dir.path().join("new")).expect("a folder").collect();
         assert_eq!(entries.len(), 1);
-        Cache { dir: None }.put(&key, &["x"]);
+        Cache { dir: None }.store(&key, &["x"]);
     }
 }

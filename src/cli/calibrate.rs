@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 
 use crate::answer::quantity::{number, quantity};
 use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
-use crate::cli::load::{Loaded, once};
+use crate::cli::load::{Loaded, refuse_two_stdin};
 use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::Verbosity;
@@ -67,7 +67,7 @@ fn process_name(text: &str) -> Result<String, String> {
 
 /// Prints the values that the spec should have.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    once(args.results.iter().chain(&args.spec).chain(args.bench.table()))?;
+    refuse_two_stdin(args.results.iter().chain(&args.spec).chain(args.bench.table()))?;
     let settings = match &args.results {
         Some(path) => {
             let table = Source::new(path.display().to_string(), read_text(path, TABLE)?);
@@ -79,21 +79,21 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
         None => Vec::new(),
     };
-    let spec = args.spec.as_deref().map(|path| Loaded::spoken(path, args.verbosity)).transpose()?;
+    let spec = args.spec.as_deref().map(|path| Loaded::read_spec(path, args.verbosity)).transpose()?;
     let coiling = args.bench.coiling(spec.as_ref())?;
     let fabric =
         spec.as_ref().map_or_else(|| Ok(Stiffnesses::default()), |spec| args.bench.stiffnesses(spec))?;
     args.verbosity.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
-    let told = BenchResult { args, spec, settings, coiling, fabric };
+    let bench_result = BenchResult { args, spec, settings, coiling, fabric };
     let Some(results) = &args.results else {
-        return args.verbosity.report(&told.fabric.section(), &told.json(None, None));
+        return args.verbosity.report(&bench_result.fabric.section(), &bench_result.json(None, None));
     };
     // The V-actuator's result does not depend on the strips.
-    let chosen = told.choose(results);
-    if chosen.is_err() {
-        args.verbosity.remark(&told.fabric.section())?;
+    let choice = bench_result.choose(results);
+    if choice.is_err() {
+        args.verbosity.remark(&bench_result.fabric.section())?;
     }
-    chosen
+    choice
 }
 
 /// Results of the bench tests and of the strips.
@@ -109,44 +109,44 @@ impl BenchResult<'_> {
     /// Chooses a setting of the table at `results`, and prints it with the bench results.
     fn choose(&self, results: &Path) -> Result<(), Failure> {
         let Self { args, settings, .. } = self;
-        let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
+        let refused = |fault| Failure::Message(format!("{}: {fault}", escaped_line(results)));
         let need = match (args.needed, &self.spec) {
             (Some(needed), _) => {
                 Some(Need { force: needed.0, margin: args.margin, why: String::new(), hint: "" })
             }
-            (None, Some(spec)) => Some(Need::of(spec, args)?),
+            (None, Some(spec)) => Some(Need::for_spec(spec, args)?),
             (None, None) => None,
         };
         let Some(need) = need else {
             let _ = steady(settings).map_err(refused)?;
-            let why = "no setting is chosen: give the required strength by --needed FORCE, or by --spec SPEC with a pressure in [load]"
+            let reason = "no setting is chosen: give the required strength by --needed FORCE, or by --spec SPEC with a pressure in [load]"
                 .to_owned();
             if args.verbosity.json {
-                return Err(Failure::answered(self.json(None, None), &why));
+                return Err(Failure::answered(self.json(None, None), &reason));
             }
             args.verbosity.remark(&listing(settings))?;
-            return Err(Failure::Message(why));
+            return Err(Failure::Message(reason));
         };
-        let chosen = calibrate(settings, need.force, need.margin)
-            .map_err(|fault| Failure::Message(format!("{}: {fault}{}", shown(results), need.hint)))?;
+        let choice = calibrate(settings, need.force, need.margin)
+            .map_err(|fault| Failure::Message(format!("{}: {fault}{}", escaped_line(results), need.hint)))?;
         // One [fabric] section in all, so that the lines can be copied as they are.
         let fabric = format!("[fabric]\n{}", self.fabric.toml());
         let chosen_toml = match &args.process {
-            Some(name) => chosen.process_toml(name),
-            None => chosen.toml().replacen("[fabric]\n", &fabric, 1),
+            Some(name) => choice.process_toml(name),
+            None => choice.toml().replacen("[fabric]\n", &fabric, 1),
         };
-        let all = if args.verbosity.verbose { listing(settings) } else { String::new() };
-        let text = format!("{all}{}{chosen_toml}", need.why);
-        args.verbosity.report(&text, &self.json(Some(&need), Some(&chosen)))
+        let all_settings = if args.verbosity.verbose { listing(settings) } else { String::new() };
+        let text = format!("{all_settings}{}{chosen_toml}", need.why);
+        args.verbosity.report(&text, &self.json(Some(&need), Some(&choice)))
     }
 
     /// The JSON answer.
-    fn json(&self, need: Option<&Need>, chosen: Option<&Calibration>) -> Value {
+    fn json(&self, need: Option<&Need>, choice: Option<&Calibration>) -> Value {
         json!({
             "needed_N_mm": need.map(|need| need.force),
             "margin": need.map_or(self.args.margin, |need| need.margin),
             "settings": self.settings.iter().map(setting).collect::<Vec<_>>(),
-            "chosen": chosen.map(setting),
+            "chosen": choice.map(setting),
             "coiling": self.coiling.as_ref().map(Coiling::json),
             "fabric": self.fabric.json(),
         })
@@ -154,17 +154,17 @@ impl BenchResult<'_> {
 }
 
 /// The JSON answer for one setting.
-fn setting(found: &Calibration) -> Value {
+fn setting(calibration: &Calibration) -> Value {
     let heat =
-        if let ToolPace::Laser { .. } = found.setting.pace { "power_percent" } else { "temperature_C" };
+        if let ToolPace::Laser { .. } = calibration.setting.pace { "power_percent" } else { "temperature_C" };
     let mut setting = json!({
-        heat: found.setting.heat,
-        "specimens": found.count,
-        "mean_N_mm": found.mean,
-        "deviation_N_mm": Some(found.deviation).filter(|_| found.count > 1),
-        "holds_N_mm": Some(found.strength).filter(|_| found.count > 1),
+        heat: calibration.setting.heat,
+        "specimens": calibration.count,
+        "mean_N_mm": calibration.mean,
+        "deviation_N_mm": Some(calibration.deviation).filter(|_| calibration.count > 1),
+        "holds_N_mm": Some(calibration.strength).filter(|_| calibration.count > 1),
     });
-    match found.setting.pace {
+    match calibration.setting.pace {
         ToolPace::Iron { speed, height } => {
             setting["speed_mm_s"] = json!(speed);
             setting["height_mm"] = json!(height);
@@ -192,9 +192,10 @@ struct Need {
 
 impl Need {
     /// The need of the seal of a spec. The margin is at least such that `check` finds no seal that may burst.
-    fn of(loaded: &Loaded, args: &Args) -> Result<Self, Failure> {
+    fn for_spec(loaded: &Loaded, args: &Args) -> Result<Self, Failure> {
         let spec = &loaded.reading.spec;
-        let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));
+        let refused =
+            |reason: &str| Failure::Message(format!("{}: {reason}", escaped_line(&loaded.source.name)));
         let pressure = spec.load.as_ref().and_then(|load| load.pressure);
         let pressure =
             pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
@@ -207,11 +208,11 @@ impl Need {
                 loads.push((load.load, load.place.to_owned()));
             }
         }
-        if let Some(pieces) = design.drawn() {
-            let found = watched_by(args.verbosity, true, |watch| {
+        if let Some(pieces) = design.drawn_pieces() {
+            let inflated = watched_by(args.verbosity, true, |watch| {
                 inflate(spec, pieces, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
             })?;
-            loads.extend(found.prediction.seam_loads());
+            loads.extend(inflated.prediction.seam_loads());
         }
         let mut largest = (0.0, String::new());
         for (load, place) in loads {
@@ -222,17 +223,17 @@ impl Need {
             }
         }
         let (force, place) = largest;
-        let mut why = format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n");
+        let mut reason = format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n");
         let (mut margin, mut hint) = (args.margin, "");
         if surely > margin * force {
             margin = (100.0 * surely / force).ceil() / 100.0;
             let _ = writeln!(
-                why,
+                reason,
                 "# it may have to hold {surely:.3} N/mm, so the margin is {margin}: the pull of such hinges is uncertain"
             );
             hint =
                 "; the pull of such hinges is uncertain: a larger tip_radius and corner_radius may need less";
         }
-        Ok(Self { force, margin, why, hint })
+        Ok(Self { force, margin, why: reason, hint })
     }
 }

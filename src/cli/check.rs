@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::{Loaded, once};
+use crate::cli::load::{Loaded, refuse_two_stdin};
 use crate::cli::material::FabricArg;
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
@@ -40,7 +40,7 @@ pub(super) struct Args {
 
 /// Makes and proves the files as `build` does, in memory, and prints the result.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    once(&args.specs)?;
+    refuse_two_stdin(&args.specs)?;
     if args.picture.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage("--picture is for one spec: check them one by one".to_owned()));
     }
@@ -58,7 +58,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
     let Some(path) = &args.picture else { return Ok(()) };
     let spec = &loaded.reading.spec;
     if spec.product() != ProductKind::Drawing && marks.is_empty() {
-        tell(&format!("note: {} is not written: the spec has no drawing", shown(path)));
+        tell(&format!("note: {} is not written: the spec has no drawing", escaped_line(path)));
         return Ok(());
     }
     refuse_foreign(path, "a picture of a check", emit::is_faults)?;
@@ -68,7 +68,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
         1 => "the drawing and 1 finding".to_owned(),
         number => format!("the drawing and {number} findings"),
     };
-    tell(&format!("note: {} shows {subject}", shown(path)));
+    tell(&format!("note: {} shows {subject}", escaped_line(path)));
     Ok(())
 }
 

@@ -7,17 +7,17 @@ use serde_json::json;
 
 use crate::answer::hours;
 use crate::answer::quantity::quantity;
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::{Loaded, lasting};
 use crate::cli::material::FabricArg;
-use crate::cli::publish::put;
+use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::coupon::{CouponGroup, PressGrid, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use proof::artifact::Kind;
-use spec::units::{Duration, Length, Percent, Speed, Temperature, counted};
+use spec::units::{Duration, Length, Percent, Speed, Temperature, count_text};
 use spec::{CONTACT, POWERS, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
 
 /// How often each setting is sealed by default.
@@ -87,13 +87,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::with_fabric(&args.spec, &args.fabric, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     if args.output.symlink_metadata().is_ok() {
-        let text = format!("{} exists already; choose another name", shown(&args.output));
+        let text = format!("{} exists already; choose another name", escaped_line(&args.output));
         return Err(Failure::Message(text));
     }
     if let Some(parent) =
         args.output.parent().filter(|parent| !parent.as_os_str().is_empty() && !parent.is_dir())
     {
-        let text = format!("cannot create {}: {} is not a directory", shown(&args.output), shown(parent));
+        let text = format!(
+            "cannot create {}: {} is not a directory",
+            escaped_line(&args.output),
+            escaped_line(parent)
+        );
         return Err(Failure::Message(text));
     }
     if let Some(press) = &spec.press {
@@ -101,15 +105,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let (grid, proven) = (grid(args, &loaded)?, coupons(args, &loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
-    tell(&put(&args.output, &files)?.to_string());
-    let made = proven.made();
+    tell(&publish_files(&args.output, &files)?.to_string());
+    let made_coupons = proven.made_coupons();
     let names = |wanted: Kind| {
-        made.files.iter().filter(move |file| file.output.kind == wanted).map(|file| &file.name)
+        made_coupons.files.iter().filter(move |file| file.output.kind == wanted).map(|file| &file.name)
     };
     let (programs, drawings): (Vec<&String>, Vec<&String>) =
         (names(Kind::SealGcode).collect(), names(Kind::SealSvg).collect());
-    let has_strips = made.table.is_some();
-    let times = programs.iter().zip(&made.coupons);
+    let has_strips = made_coupons.table.is_some();
+    let times = programs.iter().zip(&made_coupons.coupons);
     let times: Vec<_> = times
         .map(|(name, coupon)| json!({ "program": name, "time_s": coupon.program.time.round() }))
         .collect();
@@ -139,24 +143,24 @@ fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failur
     // the JSON has the keys of an iron that a press has, too.
     let (grid, proven) = (press_grid(args, loaded, press)?, coupons(args, loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
-    tell(&put(&args.output, &files)?.to_string());
+    tell(&publish_files(&args.output, &files)?.to_string());
     let drawings: Vec<&String> = proven
-        .made()
+        .made_coupons()
         .files
         .iter()
         .filter(|file| file.output.kind == Kind::SealSvg)
         .map(|file| &file.name)
         .collect();
-    let place = |name: &str| shown(args.output.join(name));
+    let place = |name: &str| escaped_line(args.output.join(name));
     let spec = lasting(&args.spec, &args.output);
     let text = format!(
         "wrote {} and {} to {}\nlook at {}: every strip with its setting; cut two sheets of each card of cards.svg, and a paper.svg \
          for each\nlay the paper between the sheets of its card, its lower edge on the line, and press each card at its setting and {}\n\
          cut the strips 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N in {}, then: stargrip-cam calibrate {} \
          --press --spec {}\n",
-        counted(grid.cards(), "card"),
-        counted(drawings.len(), "drawing"),
-        shown(&args.output),
+        count_text(grid.cards(), "card"),
+        count_text(drawings.len(), "drawing"),
+        escaped_line(&args.output),
         place(OVERVIEW),
         press.pressure_in_bar(),
         place(TABLE),
@@ -188,10 +192,10 @@ fn press_grid(args: &Args, loaded: &Loaded, press: &Press) -> Result<PressGrid, 
             "a press has --temperatures and --times, no powers, speeds, heights and processes".to_owned(),
         ));
     }
-    let usual = PressGrid::around(press, usize::from(args.repeats.unwrap_or(REPEATS)));
+    let usual = PressGrid::around_press(press, usize::from(args.repeats.unwrap_or(REPEATS)));
     let grid = PressGrid {
-        temperatures: or(&args.temperatures, &usual.temperatures),
-        times: or(&args.times, &usual.times),
+        temperatures: values_or(&args.temperatures, &usual.temperatures),
+        times: values_or(&args.times, &usual.times),
         ..usual
     };
     grid.refusal().map_or(Ok(grid), |why| Err(Failure::Message(why)))
@@ -213,7 +217,8 @@ pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Fai
         let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";
         return Err(Failure::Message(text.to_owned()));
     }
-    let (grid, groups) = (grid(args, loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
+    let (grid, groups) =
+        (grid(args, loaded)?, values_or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
     let coupons = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups)
         .map_err(|refusals| loaded.refused(refusals))?;
     coupons.of_process(args.process.clone()).prove().map_err(|findings| loaded.unproven(findings))
@@ -233,7 +238,10 @@ fn tested_spec(args: &Args, loaded: &Loaded) -> Result<Spec, Failure> {
         None if names.is_empty() => format!("write a section [process.{name}]"),
         None => format!("there are {}", names.join(", ")),
     };
-    Err(Failure::Message(format!("{}: no process is called {name}; {hint}", shown(&loaded.source.name))))
+    Err(Failure::Message(format!(
+        "{}: no process is called {name}; {hint}",
+        escaped_line(&loaded.source.name)
+    )))
 }
 
 /// The grid of settings to test.
@@ -259,19 +267,19 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     });
     let usual_temperatures: &[Temperature] = if seal.power.is_some() { &[] } else { &[seal.temperature] };
     let grid = StripGrid {
-        temperatures: or(&args.temperatures, usual_temperatures),
-        powers: or(&args.powers, &usual_powers),
-        speeds: or(&args.speeds, &factors.map(|factor| Speed(factor * seal.speed.0))),
-        heights: or(&args.heights, &[seal.contact(&loaded.machine.process)]),
+        temperatures: values_or(&args.temperatures, usual_temperatures),
+        powers: values_or(&args.powers, &usual_powers),
+        speeds: values_or(&args.speeds, &factors.map(|factor| Speed(factor * seal.speed.0))),
+        heights: values_or(&args.heights, &[seal.contact(&loaded.machine.process)]),
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
     // The spec's temperature, and five times its speed, may be out of range, too.
     grid.refusal(&loaded.machine).map_or(Ok(grid), |why| Err(Failure::Message(why)))
 }
 
-/// The `given` values, or without any the `usual` ones.
-fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
-    if given.is_empty() { usual.to_vec() } else { given.to_vec() }
+/// `values`, or the `usual` ones if there are none.
+fn values_or<T: Clone>(values: &[T], usual: &[T]) -> Vec<T> {
+    if values.is_empty() { usual.to_vec() } else { values.to_vec() }
 }
 
 /// The written files, and the next steps; `has_pressure` is whether the spec states a pressure, from which the required strength follows.
@@ -281,37 +289,37 @@ fn text(
     programs: &[&String],
     drawings: &[&String],
 ) -> String {
-    let place = |name: &str| shown(args.output.join(name));
-    let (number, figures) = (counted(programs.len(), "program"), counted(drawings.len(), "drawing"));
-    let mut out = format!("wrote {number} and {figures} to {}\n", shown(&args.output));
+    let place = |name: &str| escaped_line(args.output.join(name));
+    let (number, figures) = (count_text(programs.len(), "program"), count_text(drawings.len(), "drawing"));
+    let mut lines = format!("wrote {number} and {figures} to {}\n", escaped_line(&args.output));
     // Writing to a String does not fail.
-    for (name, coupon) in programs.iter().zip(&proven.made().coupons) {
-        let _ = writeln!(out, "  {name:32} {}", hours(coupon.program.time));
+    for (name, coupon) in programs.iter().zip(&proven.made_coupons().coupons) {
+        let _ = writeln!(lines, "  {name:32} {}", hours(coupon.program.time));
     }
     if args.verbosity.verbose {
         for (name, _) in proven.files() {
-            let _ = writeln!(out, "  {}", place(name));
+            let _ = writeln!(lines, "  {}", place(name));
         }
     }
-    let settings = proven.made().coupons.iter().filter(|coupon| coupon.is_strips()).count();
+    let settings = proven.made_coupons().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
         let spec = lasting(&args.spec, &args.output);
         let (look, results) = (place(OVERVIEW), place(TABLE));
-        let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
+        let _ = writeln!(lines, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
-            out,
+            lines,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
              peel_N in {results}{}, then: stargrip-cam calibrate {}{} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
             if has_pressure {
                 String::new()
             } else {
-                format!(", write `pressure` into [load] of {}", shown(&spec))
+                format!(", write `pressure` into [load] of {}", escaped_line(&spec))
             },
             argument(args.output.join(TABLE)),
             if proven.is_of_laser() { " --laser" } else { "" },
             argument(&spec)
         );
     }
-    out
+    lines
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::airtight;
 use crate::answer::{hours, processes_in_words, sealing_in_words};
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::pipeline::{Forecast, Proven};
 use design::{COATING_ASSUMES, Design, DrawnPiece, DrawnPieces, FlatPiece, Plate, StarAssembly, StarDesign};
 use forecast::drawn::text::text as drawn_text;
@@ -28,7 +28,7 @@ fn design(forecast: &Forecast) -> String {
     // Each distinct piece is listed with its seams, then the sheets, and the materials of a gripper or the paper of a
     // drawing. Totals come last.
     let Forecast { spec, design, programs, .. } = forecast;
-    let mut text = design.drawn().map_or_else(String::new, notes);
+    let mut text = design.drawn_pieces().map_or_else(String::new, notes);
     for placed in design.firsts() {
         let part = design.part(placed);
         match part {
@@ -62,7 +62,7 @@ fn design(forecast: &Forecast) -> String {
         );
     }
     text += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
-    text.extend(design.drawn().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
+    text.extend(design.drawn_pieces().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
     if spec.press.is_some() {
         let _ = writeln!(text, "sealed in {}", sealing_in_words(forecast));
         return text;
@@ -98,7 +98,7 @@ fn notes(pieces: &DrawnPieces) -> String {
     for note in pieces.notes.iter().take(MOST_NOTES) {
         let _ = writeln!(lines, "drawing: {note}");
     }
-    if let Some(rest) = beyond(pieces.notes.len(), MOST_NOTES) {
+    if let Some(rest) = count_beyond(pieces.notes.len(), MOST_NOTES) {
         let _ = writeln!(lines, "drawing: and {rest} more, by --json");
     }
     lines

@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::ffi::OsStr;
 
 /// A path, or another text from outside, escaped for a line on a terminal: it cannot end the line.
-pub(super) fn shown(text: impl AsRef<OsStr>) -> String {
+pub(super) fn escaped_line(text: impl AsRef<OsStr>) -> String {
     spelt_out(&text.as_ref().to_string_lossy(), spec::misleads).into_owned()
 }
 
 /// A path, or another text from outside, as one argument of a command for a POSIX shell that is printed: quoted where it must be, and no
 /// option.
 pub(super) fn argument(text: impl AsRef<OsStr>) -> String {
-    let text = shown(text);
+    let text = escaped_line(text);
     let text = if text.len() > 1 && text.starts_with('-') { format!("./{text}") } else { text };
     if !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || "-_./+,:@%".contains(c)) {
         text
@@ -46,10 +46,10 @@ mod tests {
     fn foreign_text_is_harmless_on_a_terminal() {
         let hostile = "e\u{1b}]0;pwn\u{7}\u{1b}[2J\u{9b}31m\u{7f}\u{202e}gpj\u{2066}\r";
         assert_eq!(
-            shown(hostile),
+            escaped_line(hostile),
             "e\\u001b]0;pwn\\u0007\\u001b[2J\\u009b31m\\u007f\\u202egpj\\u2066\\u000d"
         );
-        assert_eq!(shown("a\nproven, no findings"), "a\\u000aproven, no findings");
+        assert_eq!(escaped_line("a\nproven, no findings"), "a\\u000aproven, no findings");
         assert_eq!(escaped("two\n\tlines, é 星"), "two\n\tlines, é 星");
     }
 

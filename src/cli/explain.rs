@@ -5,7 +5,7 @@ use std::io::stdout;
 use serde_json::json;
 
 use crate::answer::codes::{CodeMeaning, meanings, word_of};
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{width, wrapped};
 use crate::cli::verbosity::Verbosity;
@@ -42,7 +42,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let codes = || rows.iter().map(|row| row.code);
     let nearest_code = spec::nearest(&word.replace('-', "_"), codes());
     let hint = nearest_code.map_or_else(String::new, |nearest_code| format!("did you mean {nearest_code}? "));
-    let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", shown(word));
+    let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", escaped_line(word));
     Err(Failure::Message(text))
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::answer::refused::{finding_json, refusal, refused_by};
-use crate::cli::escape::{escaped, shown};
+use crate::cli::escape::{escaped, escaped_line};
 use crate::cli::findings::Unproven;
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::{PublishFault, interrupt};
@@ -54,7 +54,7 @@ impl Failure {
     pub(super) fn file(operation: &str, path: &Path, error: &io::Error) -> Self {
         Self::File(
             path.display().to_string(),
-            format!("cannot {operation} {}: {}", shown(path), reason(operation, error)),
+            format!("cannot {operation} {}: {}", escaped_line(path), reason(operation, error)),
         )
     }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::answer::quantity::quantity;
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{refuse_foreign, replace, write_new};
@@ -44,7 +44,7 @@ const MEASURED: Allowed = Allowed::closed(0.1, 1e5);
 
 /// Writes the program that measures the machine's real speed, or prints what follows from a measurement.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    let loaded = Loaded::read_spec(&args.spec, args.verbosity)?;
     if let Some(measured) = args.took {
         return correct(&loaded, measured, args.verbosity);
     }
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
     if !args.force && output.exists() {
         let remedy = "--force replaces it, -o FILE writes another";
-        let message = format!("{} exists already, from an earlier run: {remedy}", shown(&output));
+        let message = format!("{} exists already, from an earlier run: {remedy}", escaped_line(&output));
         return Err(Failure::Message(message));
     }
     // The manifest comes first: a program without one could be run, but not verified.
@@ -77,8 +77,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "wrote {}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one took {example:.0} s, \
          `{command} \"{example:.0} s\"` prints what to change\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
          if it runs on, or stops elsewhere, do not seal with this profile\n",
-        shown(&output),
-        shown(manifest.file_name().unwrap_or_default()),
+        escaped_line(&output),
+        escaped_line(manifest.file_name().unwrap_or_default()),
         machine.script.pause
     );
     let json = json!({
@@ -138,9 +138,9 @@ fn correct(loaded: &Loaded, measured: Duration, verbosity: Verbosity) -> Result<
             (None, Some(three_digits(value)), unchopped(spec, machine, value))
         }
     };
-    let again =
+    let next_step =
         if correction == FeedCorrection::None { "" } else { "\nthen write and time the feed check again" };
-    let text = format!("a line took {measured}, and must take {nominal}\n{remedy}{again}\n");
+    let text = format!("a line took {measured}, and must take {nominal}\n{remedy}{next_step}\n");
     let json = json!({ "measured_s": measured.0, "line_time_s": nominal.0, "key": key, "value": value, "remedy": remedy });
     verbosity.report(&text, &json)
 }

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::Path;
 
-use crate::cli::escape::shown;
-use crate::cli::words::beyond;
+use crate::cli::escape::escaped_line;
+use crate::cli::words::count_beyond;
 use proof::verify::Finding;
-use spec::units::counted;
+use spec::units::count_text;
 
 /// Number of findings of one kind in one file that are printed: enough to see whether the fault is local.
 const SHOWN: usize = 3;
@@ -20,15 +20,16 @@ pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
         let count = counts.entry((&finding.file, finding.code)).or_default();
         *count += 1;
         if *count <= SHOWN {
-            lines.push(shown(finding.to_string()));
+            lines.push(escaped_line(finding.to_string()));
         }
         if *count == SHOWN {
             let total = findings
                 .iter()
                 .filter(|other| (&other.file, other.code) == (&finding.file, finding.code))
                 .count();
-            let remainder = |more| format!("{}: {}: and {more} more", shown(&finding.file), finding.code);
-            lines.extend(beyond(total, SHOWN).map(remainder));
+            let remainder =
+                |more| format!("{}: {}: and {more} more", escaped_line(&finding.file), finding.code);
+            lines.extend(count_beyond(total, SHOWN).map(remainder));
         }
     }
     lines
@@ -58,9 +59,12 @@ impl Unproven {
 
     /// The probable cause, as a heading.
     pub(super) fn heading(&self) -> String {
-        let finding_count = counted(self.findings.len(), "finding");
+        let finding_count = count_text(self.findings.len(), "finding");
         if self.may_be_the_profile() {
-            format!("error: the programs for {} fail their proof: {finding_count}", shown(&self.profile))
+            format!(
+                "error: the programs for {} fail their proof: {finding_count}",
+                escaped_line(&self.profile)
+            )
         } else {
             format!("fault of this program: {finding_count} in the files that it made")
         }
@@ -69,7 +73,8 @@ impl Unproven {
     /// The findings, and the remedy.
     pub(super) fn text(&self) -> String {
         let finding_lines = lines(&self.findings).join("\n");
-        let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));
+        let (spec, profile, version) =
+            (escaped_line(&self.spec), escaped_line(&self.profile), env!("CARGO_PKG_VERSION"));
         let send =
             format!("Send {spec}, the machine profile {profile}, the version {version} and these lines.");
         let blame = if self.may_be_the_profile() {

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::pipeline::{Built, Forecast, no_requested_programs};
 use design::Paper;
 use proof::artifact::{Kind, KindRequest, Output, too_large};
@@ -68,7 +68,8 @@ fn left_out(large: &[Output]) -> String {
     }
     let line = |(reason, names): (String, Vec<String>)| {
         let number = names.len();
-        let remainder = beyond(number, SHOWN).map_or_else(String::new, |more| format!(" and {more} more"));
+        let remainder =
+            count_beyond(number, SHOWN).map_or_else(String::new, |more| format!(" and {more} more"));
         let list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ") + &remainder;
         let (verb, need) = if number == 1 { ("is", "it needs") } else { ("are", "each needs") };
         format!("note: {list} {verb} left out: {need} {reason}; SVG and DXF have no limit")

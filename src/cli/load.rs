@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::answer::refused::at_keys;
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
 use crate::cli::material::FabricArg;
@@ -11,7 +11,7 @@ use crate::cli::progress;
 use crate::cli::source_file::{SPEC, read_source};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{SPECIAL, first_bytes, is_special, is_standard_input};
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Planned, Proven, Sources, no_programs, unfit_besides};
 use design::{RefusalCode, Refusals, Warning, drawing_notes};
@@ -46,8 +46,8 @@ pub struct Loaded {
 
 impl Loaded {
     /// Reads the spec at `path` and its machine profile; prints warnings unless `verbosity` is quiet.
-    pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
-        Self::of(read_source(path)?, path, verbosity)
+    pub(super) fn read_spec(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
+        Self::from_source(read_source(path)?, path, verbosity)
     }
 
     /// The spec at `path` with the values of a fabric, read as by [`Loaded::spoken`].
@@ -57,7 +57,7 @@ impl Loaded {
         verbosity: Verbosity,
     ) -> Result<Self, Failure> {
         let source = fabric.written_into(read_source(path)?, verbosity.quiet)?;
-        Self::of(source, path, verbosity)
+        Self::from_source(source, path, verbosity)
     }
 
     /// The spec of the file `path`, without printing; "-" is standard input.
@@ -65,7 +65,7 @@ impl Loaded {
     /// # Errors
     /// If the file cannot be read, or if the spec or its machine profile is invalid; all faults are listed.
     pub fn from_file(path: &Path) -> Result<Self, Failure> {
-        Self::spoken(path, QUIET)
+        Self::read_spec(path, QUIET)
     }
 
     /// The spec of a text called `name`; a path of its machine profile is relative to the directory of `path`.
@@ -74,10 +74,10 @@ impl Loaded {
     /// The errors of [`Loaded::from_file`].
     pub fn from_text(name: &str, text: &str, path: &Path) -> Result<Self, Failure> {
         // A text has the same limits as a file.
-        Self::of(Source::from_bytes(name, text.as_bytes())?, path, QUIET)
+        Self::from_source(Source::from_bytes(name, text.as_bytes())?, path, QUIET)
     }
 
-    fn of(source: Source, path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
+    fn from_source(source: Source, path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         let (reading, [drawing_note, note], profile) = named_by(path, &source)?;
         if !verbosity.quiet {
             warn(&reading.warnings);
@@ -126,7 +126,7 @@ impl Loaded {
     pub(super) fn forecast(&self, anyway: bool) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
         let most_unknowns = (!anyway).then_some(MOST_UNKNOWNS);
-        let forecast = progress::during(self.verbosity, "designing", |progress| {
+        let forecast = progress::with_line(self.verbosity, "designing", |progress| {
             let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
             let watch = Watch { progress: Some(&tell), most_unknowns, ..Watch::default() };
             Planned::new(spec, machine)?.forecast(&watch)
@@ -149,12 +149,12 @@ impl Loaded {
         if anyway {
             return Ok(());
         }
-        acceptable(forecast.unfit()).or(()).map_err(|refusals| self.refused(refusals))
+        acceptable(forecast.unfit()).or_value(()).map_err(|refusals| self.refused(refusals))
     }
 
     /// Makes the files of `request` and reads them back, in memory, for `check` and `build`.
     pub(super) fn proven(&self, forecast: Forecast, request: &KindRequest) -> Result<Proven, Failure> {
-        progress::during(self.verbosity, "making the files", |progress| {
+        progress::with_line(self.verbosity, "making the files", |progress| {
             let built = forecast.build(self.sources(), request);
             progress.tell("proving the files");
             built.prove()
@@ -171,7 +171,7 @@ impl Loaded {
     /// Refuses programs for a heat press, which runs none; `subject` is what needs them.
     pub(super) fn with_programs(&self, subject: &str) -> Result<(), Failure> {
         let refusal: Refusals = no_programs(&self.reading.spec, subject).into_iter().collect();
-        refusal.or(()).map_err(|refusals| self.refused(refusals))
+        refusal.or_value(()).map_err(|refusals| self.refused(refusals))
     }
 
     /// Refusals of the design as faults at their keys; prints the notes on its drawing, with -v all of them.
@@ -183,7 +183,7 @@ impl Loaded {
             let number = if self.verbosity.verbose { notes.len() } else { SHOWN_NOTES };
             let mut lines: Vec<String> =
                 notes.iter().take(number).map(|note| format!("drawing: {note}")).collect();
-            let rest = beyond(notes.len(), number);
+            let rest = count_beyond(notes.len(), number);
             lines.extend(rest.map(|rest| format!("drawing: {rest} more notes by -v")));
             tell(&lines.join("\n"));
         }
@@ -203,7 +203,7 @@ fn acceptable(mut unfit: Refusals) -> Refusals {
 ///
 /// # Errors
 /// If two of them are "-".
-pub(super) fn once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+pub(super) fn refuse_two_stdin<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
     match paths.into_iter().filter(|path| is_standard_input(path)).count() {
         0 | 1 => Ok(()),
         number => Err(Failure::Usage(format!(
@@ -226,8 +226,11 @@ fn named_file(path: &Path, name: &str, published: &str) -> (PathBuf, Option<Stri
     if named.is_file() || !path.with_file_name(MANIFEST).is_file() || !published_file.is_file() {
         return (named, None);
     }
-    let note =
-        format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published_file));
+    let note = format!(
+        "note: there is no {}; {} is used, as published",
+        escaped_line(&named),
+        escaped_line(&published_file)
+    );
     (published_file, Some(note))
 }
 
@@ -244,7 +247,7 @@ fn named_by(path: &Path, source: &Source) -> Result<(Reading, [Option<String>; 2
         Err(faults) => {
             let profile = spec::written_profile(source);
             let unknown = profile.and_then(|(name, place)| profile_file(path, &name, place).err());
-            return Err(faults.with(unknown).into());
+            return Err(faults.with_addition(unknown).into());
         }
     };
     let place = reading.raw.span_of(key::machine::PROFILE);
@@ -282,14 +285,14 @@ fn with_drawing(path: &Path, reading: Reading) -> Result<(Reading, Option<String
 pub(super) fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     // Reading a pipe would wait for a writer, and a device may never end.
     if is_special(file) {
-        return Err(format!("cannot read {}: {SPECIAL}", shown(file)));
+        return Err(format!("cannot read {}: {SPECIAL}", escaped_line(file)));
     }
     match first_bytes(file, DRAWING_LIMIT + 1) {
         Ok(bytes) if bytes.len() as u64 > DRAWING_LIMIT => {
-            Err(format!("{} is larger than 64 MiB", shown(file)))
+            Err(format!("{} is larger than 64 MiB", escaped_line(file)))
         }
         Ok(bytes) => Ok(bytes),
-        Err(error) => Err(format!("cannot read {}: {}", shown(file), reason("read", &error))),
+        Err(error) => Err(format!("cannot read {}: {}", escaped_line(file), reason("read", &error))),
     }
 }
 
@@ -312,11 +315,11 @@ fn profile_file(
     }
     let builtin_names: Vec<&str> = spec::builtin_machines().collect();
     let state = if file.is_dir() {
-        format!("{} is a directory", shown(&file))
+        format!("{} is a directory", escaped_line(&file))
     } else if is_special(&file) {
-        format!("cannot read {}: {SPECIAL}", shown(&file))
+        format!("cannot read {}: {SPECIAL}", escaped_line(&file))
     } else {
-        format!("there is no file {}", shown(&file))
+        format!("there is no file {}", escaped_line(&file))
     };
     let message = format!("no machine profile has this name, and {state}");
     let fault = Fault::error(FaultCode::UnknownMachine, place, message)

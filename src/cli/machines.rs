@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, say};
 use crate::cli::source_file::read_source;
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
@@ -70,7 +70,7 @@ fn show(name: &str) -> Result<(), Failure> {
         let names = || format!("there are: {}", builtin_names.join(", "));
         spec::machine_remedy(name).unwrap_or_else(names)
     };
-    Err(Failure::Message(format!("no built-in profile is called {}; {remedy}", shown(name))))
+    Err(Failure::Message(format!("no built-in profile is called {}; {remedy}", escaped_line(name))))
 }
 
 /// Reads the profile in the file `path`, and prints what it says.
@@ -80,7 +80,7 @@ fn check(path: &Path, verbosity: Verbosity) -> Result<(), Failure> {
         _ => spec::read_machine(&read_source(path)?)?,
     };
     let unknown = unknown_values(&machine);
-    let mut text = format!("{}: sound; {}\n", shown(&machine.name), controller(&machine));
+    let mut text = format!("{}: sound; {}\n", escaped_line(&machine.name), controller(&machine));
     let _ = writeln!(text, "{}", ability_in_words(&machine));
     if !unknown.is_empty() {
         let _ = writeln!(text, "unknown, so not checked: {}", unknown.join(", "));
@@ -89,7 +89,7 @@ fn check(path: &Path, verbosity: Verbosity) -> Result<(), Failure> {
     let settings = laser.map(|drive| laser_settings(&machine.controller, drive)).into_iter().flatten();
     let tasks: Vec<String> = settings.chain(machine.script.requires.iter().cloned()).collect();
     for task in &tasks {
-        let _ = writeln!(text, "before every job: {}", shown(task));
+        let _ = writeln!(text, "before every job: {}", escaped_line(task));
     }
     if machine.tool != SealingTool::Press {
         text += "speed, reach and clamps are checked with a spec: name the file as `profile` in [machine], then `stargrip-cam check`\n";

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Command;
 use clap_mangen::Man;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::{Failure, say};
 use crate::cli::text_file::replace;
 use crate::cli::verbosity::Quiet;
@@ -37,7 +37,7 @@ pub(super) fn run(args: &Args, program: Command) -> Result<(), Failure> {
         Some((_, text)) => say(text),
         None => Err(Failure::Message(format!(
             "there is no page {}; `stargrip-cam --help` lists the commands",
-            shown(name)
+            escaped_line(name)
         ))),
     }
 }
@@ -64,5 +64,5 @@ fn write(dir: &Path, pages: &[(String, String)]) -> Result<(), Failure> {
     for (name, text) in pages {
         replace(&dir.join(format!("{name}.1")), text)?;
     }
-    say(&format!("wrote {} pages to {}\n", pages.len(), shown(dir)))
+    say(&format!("wrote {} pages to {}\n", pages.len(), escaped_line(dir)))
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::defaults;
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::source_file::read_source;
 use crate::cli::whole_file::is_standard_input;
@@ -29,7 +29,7 @@ impl FabricArg {
         }
         let text = spec::with_material(&source, &material)?;
         if !quiet {
-            tell(&format!("note: the values of the fabric are from {}", shown(&material.name)));
+            tell(&format!("note: the values of the fabric are from {}", escaped_line(&material.name)));
         }
         Ok(Source::new(format!("{} with the fabric {name}", source.name), text))
     }
@@ -49,7 +49,7 @@ fn chlorine_refused(name: &str) -> String {
     format!(
         "the fabric {} is PVC by its name, and the spec seals with a laser: the fumes are toxic and corrode the machine; take another \
          fabric, or seal it with an iron or a press",
-        shown(name)
+        escaped_line(name)
     )
 }
 
@@ -94,12 +94,14 @@ fn names() -> Vec<String> {
 fn unknown(name: &str) -> String {
     let names = names();
     let nearest = spec::nearest(name, names.iter().map(String::as_str));
-    let suggestion = nearest.map_or(String::new(), |nearest| format!("; did you mean {}?", shown(nearest)));
-    let list: Vec<String> = names.iter().map(shown).collect();
-    let place = own_list().map_or(String::new(), |list| format!(" (yours are files in {})", shown(list)));
+    let suggestion =
+        nearest.map_or(String::new(), |nearest| format!("; did you mean {}?", escaped_line(nearest)));
+    let list: Vec<String> = names.iter().map(escaped_line).collect();
+    let place =
+        own_list().map_or(String::new(), |list| format!(" (yours are files in {})", escaped_line(list)));
     format!(
         "no fabric and no file is called {}; there are: {}{place}{suggestion}",
-        shown(name),
+        escaped_line(name),
         list.join(", ")
     )
 }

@@ -58,7 +58,7 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 
 pub use publish::{PublishFault, Published, publish};
 
@@ -203,7 +203,7 @@ fn wants_json(matches: &ArgMatches) -> bool {
 
 /// Prints a message of `clap`: help, or wrong usage. It quotes arguments, so they are escaped first.
 fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
-    let fault = program().try_get_matches_from(args.into_iter().map(shown)).err().unwrap_or(fault);
+    let fault = program().try_get_matches_from(args.into_iter().map(escaped_line)).err().unwrap_or(fault);
     // A failed print leaves no place for a message.
     let _ = fault.print();
     u8::try_from(fault.exit_code()).unwrap_or(2)

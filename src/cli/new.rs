@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::Failure;
 use crate::cli::load::drawing_bytes;
 use crate::cli::material::FabricArg;
-use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
+use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, machine, spec_for_object};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::cli::{defaults, progress, schema};
 use artwork::{Format, Unit};
 use design::{Layer, LayerProposal, Refusals, propose_layers, unit_question};
@@ -48,12 +48,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let (name, path) = named(args.name.as_deref().unwrap_or("star"))?;
     if names_file(name) {
-        let (file, option) = (shown(name), argument(name));
+        let (file, option) = (escaped_line(name), argument(name));
         let text = format!("{file} is a drawing: use `stargrip-cam new --drawing {option}`");
         return Err(Failure::Message(text));
     }
-    let gripper = progress::during(args.verbosity, "searching for a gripper", |_| {
-        chosen(name, &args.object, &args.fabric)
+    let gripper = progress::with_line(args.verbosity, "searching for a gripper", |_| {
+        spec_for_object(name, &args.object, &args.fabric)
     })?;
     let text = match &gripper {
         // The search has applied the user's defaults already.
@@ -78,7 +78,7 @@ fn write(
     write_new(path, text)?;
     json["wrote"] = json!(path);
     json["schema"] = json!(schema::write_beside(path)?);
-    let (path, word, schema) = (shown(path), argument(path), spec::SCHEMA_FILE);
+    let (path, word, schema) = (escaped_line(path), argument(path), spec::SCHEMA_FILE);
     let report = format!(
         "{headline}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
     );
@@ -101,7 +101,10 @@ fn named(argument: &str) -> Result<(&str, PathBuf), Failure> {
 
 /// The reason why the design's `name` names no file, or no directory.
 pub(super) fn nameless(name: &str, path_kind: &str) -> String {
-    format!("the name `{}` has no letter from a to z and no digit for the name of {path_kind}", shown(name))
+    format!(
+        "the name `{}` has no letter from a to z and no digit for the name of {path_kind}",
+        escaped_line(name)
+    )
 }
 
 /// `text` with the user's defaults, whose machine profile exists, and then with the values of `fabric`.
@@ -146,7 +149,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let refused = |refusals: Refusals| {
         let reasons: Vec<String> =
             refusals.iter().map(|refusal| format!("{}; {}", refusal.found, refusal.remedy)).collect();
-        let text = format!("{}: {}", shown(drawing), reasons.join("\n"));
+        let text = format!("{}: {}", escaped_line(drawing), reasons.join("\n"));
         Failure::File(drawing.display().to_string(), text)
     };
     let proposal = propose_layers(&file, &bytes, args.units).map_err(refused)?;
@@ -183,7 +186,7 @@ fn in_words(proposal: &LayerProposal) -> String {
     for fault in faults.iter().take(LISTED_FAULTS) {
         let _ = writeln!(lines, "left out: {}", shortened(fault));
     }
-    if let Some(rest) = beyond(faults.len(), LISTED_FAULTS) {
+    if let Some(rest) = count_beyond(faults.len(), LISTED_FAULTS) {
         let _ = writeln!(lines, "left out: {rest} more faulty elements");
     }
     let is_own = layers.iter().any(|(layer, ..)| layer == Layer::SealOuter.name());

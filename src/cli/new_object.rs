@@ -54,7 +54,7 @@ pub(super) struct ObjectArgs {
 }
 
 /// The spec of a gripper for the object; `None` without an object.
-pub(super) fn chosen(
+pub(super) fn spec_for_object(
     name: &str,
     args: &ObjectArgs,
     fabric: &FabricArg,

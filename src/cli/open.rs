@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::tell;
 
 /// The platform's command that opens a file.
@@ -23,7 +23,7 @@ const LOOKS: (Duration, u32) = (Duration::from_millis(50), 20);
 /// Opens the file `page`. A failure is only a note: the files exist in any case.
 pub(super) fn open(page: &Path) {
     if let Some(problem) = failure(page) {
-        tell(&format!("note: {} was not opened: {problem}", shown(page)));
+        tell(&format!("note: {} was not opened: {problem}", escaped_line(page)));
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) struct Args {
     #[arg(long, value_enum)]
     goal: Option<GoalArg>,
     /// Numbers of points, "3..8" or one.
-    #[arg(long, default_value = "3..12", value_parser = |text: &str| whole(text, "points", [3, 64]))]
+    #[arg(long, default_value = "3..12", value_parser = |text: &str| whole_range(text, "points", [3, 64]))]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Angle>(Allowed::open(0.0, 180.0)))]
@@ -50,7 +50,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Pressure>(PRESSURES))]
     pressure: Option<(Pressure, Pressure)>,
     /// Numbers of stars, "1..6" or one, as few as hold the mass; default: the spec's.
-    #[arg(long, value_parser = |text: &str| whole(text, "stars", [1, 64]))]
+    #[arg(long, value_parser = |text: &str| whole_range(text, "stars", [1, 64]))]
     count: Option<(u32, u32)>,
     /// Radii that it must be able to hold, inflated: close to the first, open to the second.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
@@ -84,7 +84,7 @@ enum GoalArg {
 }
 
 /// Reads "3..8" or one number.
-fn whole(text: &str, quantity: &str, [minimum, maximum]: [u32; 2]) -> Result<(u32, u32), String> {
+fn whole_range(text: &str, quantity: &str, [minimum, maximum]: [u32; 2]) -> Result<(u32, u32), String> {
     let fault =
         || format!("`{text}` is not a number of {quantity} from {minimum} to {maximum}, or a range of them");
     let (from, to) = text.split_once("..").unwrap_or((text, text));
@@ -104,17 +104,17 @@ pub(super) fn answer(
     if let Some(star) = read.stars.first() {
         let _ = with_star(&loaded.source, &StarEdit::new(star))?;
     }
-    let (goal, constraints) = wanted(args, loaded, &base)?;
+    let (goal, constraints) = search_goal(args, loaded, &base)?;
     let table = RingTable::new().map_err(Failure::message)?;
     let search_bounds = bounds(args, &base);
     let search =
         DesignSearch { cancel, ..DesignSearch::new(&base, &search_bounds, &constraints, goal, &table) };
-    Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
+    Ok((progress::with_line(args.verbosity, "searching", |_| search.run()), constraints))
 }
 
 /// Searches, and prints the candidates, the front, and the best candidate's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
+    let loaded = Loaded::read_spec(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (search, constraints) = answer(args, &loaded, None)?;
     let Some(spec) = best_spec(args, &loaded, &search) else {
         if args.verbosity.is_heard() {
@@ -156,7 +156,7 @@ pub(super) fn best_spec(args: &Args, loaded: &Loaded, result: &SearchResult) -> 
 }
 
 /// The goal of the search and its constraints.
-fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Constraints), Failure> {
+fn search_goal(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Constraints), Failure> {
     let load = &base.load;
     let pressed = load.pressure.is_some() || args.pressure.is_some();
     if !pressed && is_at_pressure(base.model) {
@@ -271,18 +271,18 @@ fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String
 fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     let edited = Source::new("optimised", text);
     let (before, after) = (settings(&loaded.source), settings(&edited));
-    let was = |section: &str, key: &str| {
+    let previous_value = |section: &str, key: &str| {
         let value_in = |all: &[Setting]| {
             all.iter().find(|one| one.section == section && one.key == key).and_then(|one| one.value.clone())
         };
-        value_in(&before).filter(|was| value_in(&after).is_some_and(|is| is != *was))
+        value_in(&before).filter(|previous_value| value_in(&after).is_some_and(|is| is != *previous_value))
     };
     if before == after {
         return Ok(text.to_owned());
     }
     let text = with_comments(&edited, |section, key, comment| {
         let kept_comment = if is_result(comment) { "" } else { comment };
-        let Some(old) = was(section, key) else { return kept_comment.to_owned() };
+        let Some(old) = previous_value(section, key) else { return kept_comment.to_owned() };
         // The value before the last search is outdated.
         let kept_comment =
             kept_comment.rsplit_once("; was ").map_or(kept_comment, |(kept_comment, _)| kept_comment);

@@ -12,17 +12,17 @@ use serde_json::{Value, json};
 use crate::answer::proof::scope;
 use crate::answer::{hours, overview_json, processes_in_words, sealing_in_words, sealing_time, verdict};
 use crate::cli::details;
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::pipeline::{Forecast, Precaution, Proven};
 use design::{DrawnPiece, FlatPiece, PressPlan};
 use forecast::ranges::shown::rounded;
 use proof::artifact::Kind;
 use spec::StarSpec;
-use spec::units::{Length, counted};
+use spec::units::{Length, count_text};
 
 /// Columns of the labels.
 const LABEL: usize = 11;
@@ -57,9 +57,9 @@ pub(super) fn answer(
     warn(notes.iter().map(|note| &note.text));
     // A build without a program has no sealing time.
     if target.is_none() || proven.sealing_time().is_some() || forecast.spec.press.is_some() {
-        show(&work(forecast, now().as_ref()))?;
+        show(&work(forecast, present_time().as_ref()))?;
     }
-    show(&target.map_or_else(|| in_memory(proven), |target| written(proven, target)))?;
+    show(&target.map_or_else(|| in_memory(proven), |target| file_rows(proven, target)))?;
     if verbosity.verbose {
         let details = if target.is_some() { details::built(proven) } else { details::checked(forecast) };
         verbosity.remark(&details)?;
@@ -77,9 +77,9 @@ fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.push(("", verdict::in_words(forecast)));
         rows.extend(verdict::rows(forecast));
     }
-    if let Some(pieces) = forecast.design.drawn() {
+    if let Some(pieces) = forecast.design.drawn_pieces() {
         rows.extend(pieces.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
-        let rest = beyond(pieces.notes.len(), NOTES);
+        let rest = count_beyond(pieces.notes.len(), NOTES);
         rows.extend(rest.map(|rest| ("drawing", format!("{rest} more notes by -v"))));
     }
     rows.extend(verdict::of_drawing(forecast));
@@ -115,15 +115,15 @@ fn drawn_in_words(piece: &DrawnPiece) -> String {
     let length: f64 = piece.shape.seams.iter().map(|seam| seam.center_line.length()).sum();
     let valves = match piece.shape.valves.len() {
         0 => String::new(),
-        number => format!("{}, ", counted(number, "valve")),
+        number => format!("{}, ", count_text(number, "valve")),
     };
     format!(
         "{} x {} mm, {}, {}, {valves}{} of {} mm in all",
         rounded(size.width()),
         rounded(size.height()),
-        counted(piece.shape.topology().chambers.len(), "chamber"),
-        counted(piece.shape.ports.len(), "port"),
-        counted(piece.shape.seams.len(), "seam"),
+        count_text(piece.shape.topology().chambers.len(), "chamber"),
+        count_text(piece.shape.ports.len(), "port"),
+        count_text(piece.shape.seams.len(), "seam"),
         rounded(length)
     )
 }
@@ -182,8 +182,8 @@ fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
         let separators: usize = forecast.design.papers.iter().map(|paper| paper.separators.len()).sum();
         format!(
             "{} in {} of {size}",
-            counted(separators, "separator"),
-            counted(forecast.design.papers.len(), "sheet")
+            count_text(separators, "separator"),
+            count_text(forecast.design.papers.len(), "sheet")
         )
     });
     let number = forecast.design.sheets.len();
@@ -199,22 +199,22 @@ fn pressing(forecast: &Forecast, plan: &PressPlan) -> Vec<OverviewRow> {
 }
 
 /// The written files, the page to open, and the next command.
-fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
+fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
-        vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
-    rows.extend(to_look_at(proven).map(|picture| ("look at", shown(target.join(picture)))));
+        vec![("files", format!("{number} in {}", escaped_line(target))), ("proven", scope(proven.proof()))];
+    rows.extend(to_look_at(proven).map(|picture| ("look at", escaped_line(target.join(picture)))));
     let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
-            Some(format!("{trace} first (moves only, seals nothing), then {seal}{}", more(&seals)))
+            Some(format!("{trace} first (moves only, seals nothing), then {seal}{}", more_text(&seals)))
         }
-        (None, Some(seal)) => Some(format!("{seal}{}; no trace was requested", more(&seals))),
+        (None, Some(seal)) => Some(format!("{seal}{}; no trace was requested", more_text(&seals))),
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
     let cut = named(proven, Kind::CutGcode);
-    let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more(&cut)));
+    let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more_text(&cut)));
     rows.extend(run_cut.map(|run_cut| ("cut", run_cut)));
     let plan = named(proven, Kind::PressPlan).into_iter().next();
     rows.extend(plan.map(|plan| ("print", format!("{plan}: the instructions for the press"))));
@@ -256,7 +256,7 @@ fn named(proven: &Proven, kind: Kind) -> Vec<String> {
     files.map(|file| file.name.clone()).collect()
 }
 
-fn more(programs: &[String]) -> String {
+fn more_text(programs: &[String]) -> String {
     match programs.len() {
         0 | 1 => String::new(),
         2 => ", and the second in the same way".to_owned(),
@@ -278,7 +278,7 @@ fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
 pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
     let terminal_width = width(&stderr());
     let lines: Vec<String> =
-        list.map(|text| wrapped(&format!("  - {}", shown(text)), 4, terminal_width)).collect();
+        list.map(|text| wrapped(&format!("  - {}", escaped_line(text)), 4, terminal_width)).collect();
     if !lines.is_empty() {
         tell_under("before you seal", &lines.join("\n"));
     }
@@ -298,7 +298,7 @@ fn written_json(proven: &Proven, target: &Path) -> Value {
 }
 
 /// The present time in the user's zone; `None` if the system's clock is beyond the calendar.
-pub(super) fn now() -> Option<Zoned> {
+pub(super) fn present_time() -> Option<Zoned> {
     zoned(SystemTime::now())
 }
 

@@ -179,14 +179,14 @@ impl StarQuestion {
         watch: &Watch<'_>,
     ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
         match self.accuracy {
-            Some(accuracy) => self.within(accuracy, (spec, design), watch),
+            Some(accuracy) => self.within_error(accuracy, (spec, design), watch),
             None => self.by_model((spec, design), watch),
         }
     }
 
     /// The prediction by the cheapest model that states an error of at most `accuracy`. The models are tried in turn, from the cheapest on; if
     /// none states so small an error, the answer is that with the least. A shell that refuses counts as a trial without an answer.
-    fn within(
+    fn within_error(
         &self,
         accuracy: Percent,
         (spec, design): (&Spec, &Design),
@@ -233,7 +233,7 @@ impl StarQuestion {
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
     ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
-        if let Some(pieces) = design.drawn() {
+        if let Some(pieces) = design.drawn_pieces() {
             let inflation = drawn::inflate(spec, pieces, self.detail.unwrap_or(Detail::Coarse), watch)?;
             let shape = InflatedShape::joined(&inflation.shapes);
             return Ok((GripperAnswer::Drawn(Box::new(inflation.prediction)), Some(shape)));
@@ -279,7 +279,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
         Ok((answer.json(), answer.text(&spec, args.verbosity.verbose), shape))
     };
-    let inputs = if let Some(pieces) = design.drawn() {
+    let inputs = if let Some(pieces) = design.drawn_pieces() {
         args.refuse_those_of_stars()?;
         format!(
             "predict {spec:?} {:?} {:?} {:?} {:?} {}",

@@ -30,7 +30,7 @@ pub(super) struct Progress {
 }
 
 /// Runs `work`, which does not catch signals and writes nothing, with a line that shows `label`.
-pub(super) fn during<T>(verbosity: Verbosity, label: &str, work: impl FnOnce(&Progress) -> T) -> T {
+pub(super) fn with_line<T>(verbosity: Verbosity, label: &str, work: impl FnOnce(&Progress) -> T) -> T {
     work(&Progress::new(verbosity, label, true))
 }
 

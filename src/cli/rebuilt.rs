@@ -2,7 +2,7 @@
 
 use crate::answer::sealing_in_words;
 use crate::cli::load::Loaded;
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::pipeline::{Forecast, Precaution};
 use forecast::ranges::shown::rounded;
 use forecast::verdict::Verdict;
@@ -52,7 +52,7 @@ impl Snapshot {
         if self.machine != previous.machine {
             values.push("machine profile".to_owned());
         }
-        let rest = beyond(values.len(), NAMED);
+        let rest = count_beyond(values.len(), NAMED);
         values.truncate(NAMED);
         values.extend(rest.map(|rest| format!("{rest} more")));
         let verdict = self.verdict.filter(|_| self.verdict != previous.verdict).map(str::to_owned);

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::answer::hours;
 use crate::cli::align::{aligned, mark};
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::load::MACHINE;
 use crate::cli::source_file::read_source;
@@ -120,8 +120,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.job, PROGRAM)?;
     let resumed = resume(&text, args.place()?, args.overlap).map_err(|fault| {
         let seal_file = seal_file_beside(&args.job).filter(|_| fault == ResumeFault::Trace);
-        let hint = seal_file.map_or_else(String::new, |path| format!(", {}", shown(path)));
-        Failure::Message(format!("{}: {fault}{hint}", shown(&args.job)))
+        let hint = seal_file.map_or_else(String::new, |path| format!(", {}", escaped_line(path)));
+        Failure::Message(format!("{}: {fault}{hint}", escaped_line(&args.job)))
     })?;
     let resumed = on_moved_sheet(args, resumed)?;
     let manifest = args.job.with_file_name(MANIFEST);
@@ -138,7 +138,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "wrote {}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
          about {} left\n{}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
-        shown(&target),
+        escaped_line(&target),
         resumed.line,
         100.0 * resumed.done,
         resumed.overlap,
@@ -174,10 +174,10 @@ fn on_moved_sheet(args: &Args, resumed: Resumed) -> Result<Resumed, Failure> {
     let file = proven.built().artifacts.iter().find(|file| file.name == name);
     let text = file.and_then(|file| std::str::from_utf8(&file.bytes).ok());
     let text = text.ok_or_else(|| {
-        Failure::Message(format!("{} is no program of the build in its directory", shown(&args.job)))
+        Failure::Message(format!("{} is no program of the build in its directory", escaped_line(&args.job)))
     })?;
     let moved = resume(text, ResumeAt::Share(resumed.done), args.overlap);
-    let moved = moved.map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
+    let moved = moved.map_err(|fault| Failure::Message(format!("{}: {fault}", escaped_line(&args.job))))?;
     Ok(Resumed { line: resumed.line, ..moved })
 }
 
@@ -192,13 +192,13 @@ fn default_target(job: &Path, published: bool) -> PathBuf {
     let stem = job.file_stem().unwrap_or_default().to_string_lossy();
     // Host software lists files by their ending, so the ending is kept.
     let ending = job.extension().map_or("gcode".into(), |ending| ending.to_string_lossy());
-    let beside = job.with_file_name(format!("{stem}-resume.{ending}"));
+    let sibling = job.with_file_name(format!("{stem}-resume.{ending}"));
     if !published {
-        return beside;
+        return sibling;
     }
     // `job.gcode` and `./job.gcode` have a parent without a name.
     let directory = directory_of(job).canonicalize().ok();
-    let Some(name) = directory.as_deref().and_then(Path::file_name) else { return beside };
+    let Some(name) = directory.as_deref().and_then(Path::file_name) else { return sibling };
     let name = format!("{}-{stem}-resume.{ending}", name.to_string_lossy());
     match job.parent().filter(|parent| parent.file_name().is_some()) {
         Some(parent) => parent.with_file_name(name),
@@ -213,13 +213,13 @@ fn refuse_published(target: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     let text = "is in a published directory, in which `build` and `verify` take no other files; name a file beside it";
-    Err(Failure::Message(format!("{} {text}", shown(target))))
+    Err(Failure::Message(format!("{} {text}", escaped_line(target))))
 }
 
 /// Checks that the job equals, byte by byte, the file that the manifest beside it names.
 fn check_unchanged(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
     let read: Manifest = serde_json::from_str(&read_text(manifest, PROGRAM)?)
-        .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;
+        .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", escaped_line(manifest))))?;
     let name = job.file_name().unwrap_or_default().to_string_lossy();
     let entry = read.files.iter().find(|file| file.path == name);
     let fault = match entry {
@@ -228,7 +228,7 @@ fn check_unchanged(job: &Path, manifest: &Path, text: &str) -> Result<(), Failur
         None => "is not named in the manifest.json beside it",
     };
     let remedy = "build again, or resume a copy elsewhere if you made the change yourself";
-    Err(Failure::Message(format!("{} {fault}; {remedy}", shown(job))))
+    Err(Failure::Message(format!("{} {fault}; {remedy}", escaped_line(job))))
 }
 
 /// Checks that `program`, the rest of `job`, meets no clamp of the profile beside the job: it goes to places between which the
@@ -236,15 +236,15 @@ fn check_unchanged(job: &Path, manifest: &Path, text: &str) -> Result<(), Failur
 fn check_clear_of_clamps(job: &Path, program: &str) -> Result<(), Failure> {
     let profile = read_source(&job.with_file_name(MACHINE))?;
     let clamps = spec::read_machine(&profile)?.bench.keep_out;
-    let wrong = |fault: ResumeFault| Failure::Message(format!("{}: {fault}", shown(job)));
-    let Some(met) = clamp_in_the_way(program, &clamps).map_err(wrong)? else { return Ok(()) };
-    let line = met.line.unwrap_or_default();
+    let wrong = |fault: ResumeFault| Failure::Message(format!("{}: {fault}", escaped_line(job)));
+    let Some(crossing) = clamp_in_the_way(program, &clamps).map_err(wrong)? else { return Ok(()) };
+    let line = crossing.line.unwrap_or_default();
     let fault = Fault::error(
         RefusalCode::ClampInTheWay,
         usize::MAX..usize::MAX,
-        format!("line {line} of the program for the rest would be {}", met.found),
+        format!("line {line} of the program for the rest would be {}", crossing.found),
     )
-    .label(format!("must be {}", met.allowed))
+    .label(format!("must be {}", crossing.allowed))
     .help("move the clamp, and resume a copy of the job elsewhere: no profile is compared with it there");
     Err(Faults::new(&profile, vec![fault]).into())
 }

@@ -66,7 +66,7 @@ impl ShellArgs {
             let (json, text, shape) = watched_by(verbosity, self.fineness.is_some(), compute)?;
             let vtu = shape.filter(|_| self.vtu.is_some()).map(|shape| shape.vtu()).transpose();
             let parts = [json, text, vtu.map_err(Failure::message)?.unwrap_or_default()];
-            cache.put(&key, &parts.each_ref().map(String::as_str));
+            cache.store(&key, &parts.each_ref().map(String::as_str));
             parts
         };
         if let Some(path) = &self.vtu {

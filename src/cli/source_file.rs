@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::whole_file::{given_bytes, is_standard_input};
 use spec::{SIZE_LIMIT, Source};
@@ -29,9 +29,9 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
 
 /// A message that `path` is a directory, with the spec in it that may be meant.
 fn is_directory(path: &Path) -> String {
-    let (dir, spec) = (shown(path), path.join(SPEC));
+    let (dir, spec) = (escaped_line(path), path.join(SPEC));
     if spec.is_file() {
-        format!("{dir} is a directory: name the spec in it, {}", shown(spec))
+        format!("{dir} is a directory: name the spec in it, {}", escaped_line(spec))
     } else {
         format!("{dir} is a directory, and there is no {SPEC} in it: name a spec")
     }

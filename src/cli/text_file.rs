@@ -5,7 +5,7 @@ use std::io;
 use std::io::Write;
 use std::path::Path;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::whole_file::{first_bytes, given_bytes, refuse_special, write_whole};
 
@@ -20,18 +20,21 @@ pub(super) fn read_text(path: &Path, limit: u64) -> Result<String, Failure> {
     if path.is_dir() {
         return Err(Failure::File(
             path.display().to_string(),
-            format!("{} is a directory: name a file in it", shown(path)),
+            format!("{} is a directory: name a file in it", escaped_line(path)),
         ));
     }
     let bytes = given_bytes(path, limit + 1).map_err(|error| Failure::file("read", path, &error))?;
     if bytes.len() as u64 > limit {
         let mebibytes = limit >> 20;
         let allowed = format!("at most {mebibytes} MiB are read; name another file");
-        return Err(Failure::Message(format!("{} is too large: {allowed}", shown(path))));
+        return Err(Failure::Message(format!("{} is too large: {allowed}", escaped_line(path))));
     }
     String::from_utf8(bytes).map_err(|error| {
         let offset = error.utf8_error().valid_up_to();
-        Failure::Message(format!("{}: byte {offset} is not UTF-8: save the file as UTF-8", shown(path)))
+        Failure::Message(format!(
+            "{}: byte {offset} is not UTF-8: save the file as UTF-8",
+            escaped_line(path)
+        ))
     })
 }
 
@@ -44,7 +47,7 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     });
     result.map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => {
-            Failure::Message(format!("{} exists already; choose another name", shown(path)))
+            Failure::Message(format!("{} exists already; choose another name", escaped_line(path)))
         }
         _ => Failure::file("write", path, &error),
     })
@@ -68,7 +71,10 @@ pub(super) fn refuse_foreign(
     if start.is_empty() || is_own(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
-    Err(Failure::Message(format!("{} exists and is not {description}: name another file", shown(path))))
+    Err(Failure::Message(format!(
+        "{} exists and is not {description}: name another file",
+        escaped_line(path)
+    )))
 }
 
 /// Writes or replaces a file atomically.

@@ -39,7 +39,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     // Files that are not this command's own are refused before anything is measured. All models but shells are
     // measured here; the rows of shells are stored with their program.
-    let loaded = args.spec.as_ref().map(|path| Loaded::spoken(path, args.verbosity)?.with_stars("trade"));
+    let loaded = args.spec.as_ref().map(|path| Loaded::read_spec(path, args.verbosity)?.with_stars("trade"));
     let star = loaded.transpose()?.and_then(|loaded| loaded.reading.spec.stars.first().cloned());
     let base = star.unwrap_or_else(|| StarSpec::paper(5));
     let shells_svg = args.svg.as_ref().map(|path| {
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let start = Instant::now();
     let clock = || start.elapsed().as_secs_f64();
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
-    let (rows, shells) = progress::during(args.verbosity, "measuring every model", measure)
+    let (rows, shells) = progress::with_line(args.verbosity, "measuring every model", measure)
         .map_err(|fault: StarFault| Failure::message(fault))?;
     for (path, text) in [
         (&args.csv, trade::csv(&rows)),

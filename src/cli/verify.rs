@@ -7,20 +7,20 @@ use std::io::stdout;
 use std::path::{Path, PathBuf};
 
 use crate::answer::proof::{json, scope};
-use crate::cli::escape::{argument, shown};
+use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_path;
 use crate::cli::load::DRAWING_LIMIT;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{directory_of, first_bytes};
-use crate::cli::words::beyond;
+use crate::cli::words::count_beyond;
 use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
 use proof::verify::{FileProof, FindingCode, Method, OutputFiles, Proof};
 use spec::Code;
-use spec::units::counted;
+use spec::units::count_text;
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -56,7 +56,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         holds_a_build(&args.dir)?;
         let (published, files) = read_directory(&args.dir)?;
-        progress::during(args.verbosity, "proving", |_| published.prove(&files))
+        progress::with_line(args.verbosity, "proving", |_| published.prove(&files))
     };
     let right = proof.findings.is_empty();
     let accepted = proof.written_by.is_none() || args.read_back;
@@ -78,15 +78,17 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
     let manifest_file = manifest_path(path);
     let manifest = read(&manifest_file, SOURCE_LIMIT).map_err(|_| {
         let dir = directory_of(path);
-        let name = if dir.join(MANIFEST).is_file() { format!(": {}", shown(dir)) } else { String::new() };
+        let name =
+            if dir.join(MANIFEST).is_file() { format!(": {}", escaped_line(dir)) } else { String::new() };
         Failure::Message(format!(
             "{} is not the program of a feed check: a file of a build is proven with its directory; name \
              the directory{name}",
-            shown(path)
+            escaped_line(path)
         ))
     })?;
-    let manifest = serde_json::from_slice(&manifest)
-        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&manifest_file))))?;
+    let manifest = serde_json::from_slice(&manifest).map_err(|error| {
+        Failure::Message(format!("{} is not a manifest: {error}", escaped_line(&manifest_file)))
+    })?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
@@ -104,7 +106,7 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
         let remedy = "name the directory that `build` or `coupon` published";
         return Err(Failure::Message(format!(
             "{} is not a build: it has no spec.toml, machine.toml or {MANIFEST}; {remedy}",
-            shown(dir)
+            escaped_line(dir)
         )));
     }
     builds.sort();
@@ -112,10 +114,10 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     let command = |build| format!("\n  stargrip-cam verify {build}");
     let list: String = builds.into_iter().take(MOST_BUILDS).map(command).collect();
     let remainder =
-        beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
+        count_beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
     let contents =
         if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
-    Err(Failure::Message(format!("{} is not a build, but {contents}:{list}{remainder}", shown(dir))))
+    Err(Failure::Message(format!("{} is not a build, but {contents}:{list}{remainder}", escaped_line(dir))))
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {
@@ -128,7 +130,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
         };
         let deviation_text =
             deviation.filter(|mm| mm.is_finite()).map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
-        let _ = writeln!(text, "{:28} {deviation_text}{method}", shown(path));
+        let _ = writeln!(text, "{:28} {deviation_text}{method}", escaped_line(path));
     }
     text + &faults(dir, proof)
 }
@@ -159,7 +161,7 @@ fn changed_source(proof: &Proof) -> Option<&'static str> {
 fn verdict(dir: &Path, proof: &Proof) -> String {
     let mut parts = Vec::new();
     if let Some(version) = &proof.written_by {
-        parts.push(format!("written by {}: read back, not compared", shown(version)));
+        parts.push(format!("written by {}: read back, not compared", escaped_line(version)));
     }
     match proof.findings.len() {
         0 if proof.written_by.is_some() => {
@@ -170,13 +172,15 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
             ));
         }
         0 => parts.push(format!("proven, no findings; {}", scope(proof))),
-        n => parts.push(counted(n, "finding")),
+        n => parts.push(count_text(n, "finding")),
     }
     if !proof.unproven.is_empty() {
-        parts
-            .push(format!("not proven: {}", proof.unproven.iter().map(shown).collect::<Vec<_>>().join(", ")));
+        parts.push(format!(
+            "not proven: {}",
+            proof.unproven.iter().map(escaped_line).collect::<Vec<_>>().join(", ")
+        ));
     }
-    format!("{}: {}\n", shown(dir), parts.join("; "))
+    format!("{}: {}\n", escaped_line(dir), parts.join("; "))
 }
 
 /// The files of a directory. Only files that its design has are read, and none that is much longer than its manifest states; of all others
@@ -200,8 +204,8 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
             add(&mut files, dir, name, limit)?;
         }
     }
-    let published = PublishedBuild::of(&files);
-    let wanted_names: BTreeSet<String> = published.wanted().into_iter().collect();
+    let published = PublishedBuild::read(&files);
+    let wanted_names: BTreeSet<String> = published.required_names().into_iter().collect();
     let stated: BTreeMap<&str, usize> = published.stated_sizes().collect();
     for name in names {
         if files.names().any(|known| known == name) {

@@ -43,7 +43,7 @@ pub(super) fn build() -> String {
 mod tests {
     use super::*;
 
-    fn wanted(line: &str) -> bool {
+    fn is_listed(line: &str) -> bool {
         wants_build(&line.split(' ').map(OsString::from).collect::<Vec<_>>())
     }
 
@@ -51,10 +51,10 @@ mod tests {
     fn the_build_is_printed_for_both_flags_alone() {
         for line in ["p --version -v", "p -v --version", "p -V -v", "p -Vv", "p -vV", "p --verbose --version"]
         {
-            assert!(wanted(line), "{line}");
+            assert!(is_listed(line), "{line}");
         }
         for line in ["p", "p --version", "p -v", "p check -v", "p --version -v check", "p --version -v -q"] {
-            assert!(!wanted(line), "{line}");
+            assert!(!is_listed(line), "{line}");
         }
     }
 

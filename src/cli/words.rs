@@ -21,6 +21,6 @@ pub(super) fn value_of<T: Copy>(table: &[(&str, T)], word: &str) -> Option<T> {
 }
 
 /// How many of `number` things are beyond the first `limit`, which are listed.
-pub(super) fn beyond(number: usize, limit: usize) -> Option<usize> {
+pub(super) fn count_beyond(number: usize, limit: usize) -> Option<usize> {
     number.checked_sub(limit).filter(|more| *more > 0)
 }

@@ -84,10 +84,10 @@ impl BiasStrip {
     /// # Errors
     /// If the strip is shorter than five widths, or the points do not lie on a straight, rising line.
     pub fn stiffness(&self, test: &[PullPoint]) -> Result<f64, String> {
-        let least = SLENDER * self.width;
-        if self.length < least {
+        let shortest = SLENDER * self.width;
+        if self.length < shortest {
             return Err(format!(
-                "the strip is {} mm long between the clamps; at least {least} mm, {SLENDER} times its width, are \
+                "the strip is {} mm long between the clamps; at least {shortest} mm, {SLENDER} times its width, are \
                  needed: clamp it farther apart, or cut a narrower strip",
                 self.length
             ));
@@ -104,18 +104,18 @@ impl BiasStrip {
         };
         let slope = sum(&|x, y| x * y) / sum(&|x, _| x * x);
         if slope.is_nan() || slope <= 0.0 {
-            let why = "the load does not rise with the travel; check whether the columns are exchanged";
-            return Err(why.to_owned());
+            let reason = "the load does not rise with the travel; check whether the columns are exchanged";
+            return Err(reason.to_owned());
         }
         let loads = || test.iter().map(|point| point.load);
         let range = loads().fold(f64::NEG_INFINITY, f64::max) - loads().fold(f64::INFINITY, f64::min);
-        let off = |point: &PullPoint| (point.load - y - slope * (point.travel - x)).abs() / range;
-        let most = test.iter().map(off).fold(0.0, f64::max);
-        if most > STRAIGHT {
+        let deviation = |point: &PullPoint| (point.load - y - slope * (point.travel - x)).abs() / range;
+        let largest = test.iter().map(deviation).fold(0.0, f64::max);
+        if largest > STRAIGHT {
             return Err(format!(
                 "the load deviates from a straight line by {:.0} %; at most {:.0} % are allowed: keep the rows of \
                  the first, straight part",
-                100.0 * most,
+                100.0 * largest,
                 100.0 * STRAIGHT
             ));
         }
@@ -131,24 +131,24 @@ impl BiasStrip {
 /// least a thousandth of the isotropic one.
 pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, String> {
     let rigid = 2.0 * (1.0 - poisson) / stretch;
-    let most = STIFFEST * stretch;
-    if along_bias > most || along_bias * rigid >= 4.0 {
-        let most = most.min(4.0 / rigid);
+    let stiffest = STIFFEST * stretch;
+    if along_bias > stiffest || along_bias * rigid >= 4.0 {
+        let stiffest = stiffest.min(4.0 / rigid);
         return Err(format!(
-            "the strip bears {along_bias:.3} N/mm of width and strain; must be at most {most:.3}, {STIFFEST} times the \
+            "the strip bears {along_bias:.3} N/mm of width and strain; must be at most {stiffest:.3}, {STIFFEST} times the \
              stiffness along the warp, because a weave is softer along the bias: check the strip's length, width \
              and units, that it is one sheet, cut at 45 deg, and the stretch stiffness; leave `shear_modulus` out \
              for an isotropic sheet"
         ));
     }
     let softest = SOFTEST * stretch / (2.0 * (1.0 + poisson));
-    let least = 4.0 / (1.0 / softest + rigid);
-    if along_bias < least {
+    let softest_strip = 4.0 / (1.0 / softest + rigid);
+    if along_bias < softest_strip {
         return Err(format!(
             "the strip bears {} N/mm of width and strain; must be at least {}, where the shear modulus is a \
              thousandth of the isotropic one: check the strip's length, width and units, and the stretch stiffness",
             Readable(along_bias),
-            Readable(least)
+            Readable(softest_strip)
         ));
     }
     Ok(1.0 / (4.0 / along_bias - rigid))
@@ -186,9 +186,9 @@ mod tests {
         // Y = 38.4 N/mm, nu = 0.39, G t = 3 N/mm; by 1/E(theta) at 45 deg.
         let (y, nu, g) = (38.4, 0.39, 3.0);
         let bias = 1.0 / (0.5 / y + (1.0 / g - 2.0 * nu / y) / 4.0);
-        let found = STRIP.stiffness(&line(bias / 5.0, 0.0)).expect("a line");
-        assert!((found / bias - 1.0).abs() < 1e-12, "{found}");
-        assert!((shear_stiffness(found, y, nu).expect("soft") / g - 1.0).abs() < 1e-12);
+        let measured = STRIP.stiffness(&line(bias / 5.0, 0.0)).expect("a line");
+        assert!((measured / bias - 1.0).abs() < 1e-12, "{measured}");
+        assert!((shear_stiffness(measured, y, nu).expect("soft") / g - 1.0).abs() < 1e-12);
         // Isotropic fabric is as stiff along the bias as along the warp.
         let even = shear_stiffness(y, y, nu).expect("isotropic");
         assert!((even / (y / (2.0 * (1.0 + nu))) - 1.0).abs() < 1e-12, "{even}");
@@ -197,14 +197,14 @@ mod tests {
     #[test]
     fn what_is_no_line_or_no_strip_is_refused() {
         let short = BiasStrip { width: 41.0, ..STRIP };
-        let why = |strip: BiasStrip, test: &[PullPoint]| strip.stiffness(test).expect_err("refused");
-        let long = why(short, &line(1.0, 0.0));
+        let reason = |strip: BiasStrip, test: &[PullPoint]| strip.stiffness(test).expect_err("refused");
+        let long = reason(short, &line(1.0, 0.0));
         assert!(long.starts_with("the strip is 200 mm long between the clamps; at least 205 mm"), "{long}");
-        assert_eq!(why(STRIP, &line(1.0, 0.0)[..2]), "2 points; at least 3 are needed");
+        assert_eq!(reason(STRIP, &line(1.0, 0.0)[..2]), "2 points; at least 3 are needed");
         for test in [&line(-1.0, 0.0)[..], &[PullPoint { travel: 1.0, load: 1.0 }; 3]] {
-            assert!(why(STRIP, test).starts_with("the load does not rise with the travel"));
+            assert!(reason(STRIP, test).starts_with("the load does not rise with the travel"));
         }
-        assert!(why(STRIP, &line(1.0, 0.5)).starts_with("the load deviates from a straight line"));
+        assert!(reason(STRIP, &line(1.0, 0.5)).starts_with("the load deviates from a straight line"));
         assert!(STRIP.stiffness(&line(1.0, 0.05)).is_ok());
         let stiff = shear_stiffness(130.0, 38.4, 0.39).expect_err("refused");
         assert!(stiff.contains("must be at most"), "{stiff}");

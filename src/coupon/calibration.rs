@@ -204,36 +204,36 @@ pub fn read_laser_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
 /// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
 pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
     let mut places = HashMap::new();
-    let mut found: Vec<(PeelRow, Vec<f64>)> = Vec::new();
+    let mut groups: Vec<(PeelRow, Vec<f64>)> = Vec::new();
     for row in rows {
         // 0 is added because 0 and -0 are one height.
         let [first, second] = row.pace.numbers();
         let key = [row.heat, first, second].map(|x| (x + 0.0).to_bits());
-        let place = *places.entry(key).or_insert(found.len());
-        match found.get_mut(place) {
+        let place = *places.entry(key).or_insert(groups.len());
+        match groups.get_mut(place) {
             Some((_, peels)) => peels.push(row.peel / WIDTH),
-            None => found.push((*row, vec![row.peel / WIDTH])),
+            None => groups.push((*row, vec![row.peel / WIDTH])),
         }
     }
-    found.iter().map(|(setting, peels)| judge(*setting, peels)).collect()
+    groups.iter().map(|(setting, peels)| judge(*setting, peels)).collect()
 }
 
-/// Chooses one of `settings` that holds `needed` (N/mm, above 0) with `margin`.
+/// Chooses one of `settings` that holds `required` (N/mm, above 0) with `margin`.
 ///
 /// # Errors
 /// If the data do not support a choice.
-pub fn calibrate(settings: &[Calibration], needed: f64, margin: f64) -> Result<Calibration, String> {
-    let least = (margin * needed).max(WEAKEST);
+pub fn calibrate(settings: &[Calibration], required: f64, margin: f64) -> Result<Calibration, String> {
+    let required_mean = (margin * required).max(WEAKEST);
     let steady = steady(settings)?;
-    let best = steady.iter().filter(|c| c.written() >= least).max_by(|a, b| {
+    let best = steady.iter().filter(|c| c.written_strength() >= required_mean).max_by(|a, b| {
         let of_haste = a.setting.pace.haste().total_cmp(&b.setting.pace.haste());
         of_haste.then(a.strength.total_cmp(&b.strength))
     });
     best.copied().ok_or_else(|| {
         let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
         unsupported(&format!(
-            "the strongest setting holds {strongest:.3} N/mm, but {least:.3} N/mm are needed ({margin} times \
-             {needed:.3}): seal slower, longer or hotter, or use less pressure"
+            "the strongest setting holds {strongest:.3} N/mm, but {required_mean:.3} N/mm are needed ({margin} times \
+             {required:.3}): seal slower, longer or hotter, or use less pressure"
         ))
     })
 }
@@ -245,8 +245,8 @@ pub fn calibrate(settings: &[Calibration], needed: f64, margin: f64) -> Result<C
 pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, String> {
     let tested = settings.len();
     if tested == 0 {
-        let why = "no row has a `peel_N`: write the force of each tested strip into that column";
-        return Err(unsupported(why));
+        let reason = "no row has a `peel_N`: write the force of each tested strip into that column";
+        return Err(unsupported(reason));
     }
     if !settings.iter().any(|c| c.count >= LEAST) {
         return Err(unsupported(&format!("no setting has {LEAST} specimens; tested settings: {tested}")));
@@ -263,8 +263,8 @@ pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, String> {
 }
 
 /// That the data do not support a choice, with the reason.
-fn unsupported(why: &str) -> String {
-    format!("the data do not support a choice: {why}")
+fn unsupported(reason: &str) -> String {
+    format!("the data do not support a choice: {reason}")
 }
 
 fn judge(setting: PeelRow, peels: &[f64]) -> Calibration {
@@ -284,7 +284,7 @@ impl Calibration {
     }
 
     /// The strength as it is written into the spec, N/mm: a lower bound is rounded down; 1e-6 of the last digit is rounding error.
-    fn written(&self) -> f64 {
+    fn written_strength(&self) -> f64 {
         (self.strength * 1e3 + 1e-6).floor() / 1e3
     }
 
@@ -297,7 +297,7 @@ impl Calibration {
                 return format!(
                     "{}[process.{name}]\npower = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\nstrength = \"{:.3} N/mm\"\n",
                     self.specimens(),
-                    self.written()
+                    self.written_strength()
                 );
             }
             // A press has no processes: all seams are made at once.
@@ -308,7 +308,7 @@ impl Calibration {
              strength = \"{:.3} N/mm\"\n",
             self.specimens(),
             warning(speed),
-            self.written()
+            self.written_strength()
         )
     }
 
@@ -323,7 +323,7 @@ impl Calibration {
 
     /// The lines for the spec.
     pub fn toml(&self) -> String {
-        let (specimens, strength, heat) = (self.specimens(), self.written(), self.setting.heat);
+        let (specimens, strength, heat) = (self.specimens(), self.written_strength(), self.setting.heat);
         let fabric = format!("{specimens}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n");
         match self.setting.pace {
             ToolPace::Iron { speed, height } => format!(
@@ -363,7 +363,7 @@ pub fn listing(settings: &[Calibration]) -> String {
         Some(ToolPace::Laser { .. }) => "speed/(mm/s)        power/%   focus/mm",
         Some(ToolPace::Iron { .. }) | None => "speed/(mm/s)  temperature/C  height/mm",
     };
-    let mut out = format!("# {pace_heads}  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n");
+    let mut lines = format!("# {pace_heads}  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n");
     for c in sorted {
         let heat = c.setting.heat;
         let pace = match c.setting.pace {
@@ -372,12 +372,12 @@ pub fn listing(settings: &[Calibration]) -> String {
             }
             ToolPace::Press { time } => format!("{time:6}  {heat:13}"),
         };
-        let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
+        let strength = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
         // Writing to a String does not fail.
-        let _ = writeln!(out, "# {pace}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}", c.count, c.mean);
+        let _ = writeln!(lines, "# {pace}  {:9}  {:11.3}  {deviation:>9}  {strength:>12}", c.count, c.mean);
     }
-    out
+    lines
 }
 
 #[cfg(test)]
@@ -426,9 +426,9 @@ mod tests {
             ("200,0.1,-0.3,144000", ["`peel_N` is `144000`", "at most 5000", "mN"]),
         ] {
             let faults = read_rows(&Source::new("results.csv", format!("{head}{row}\n"))).expect_err(row);
-            let said = faults.to_string();
-            assert!(said.contains("results.csv:3"), "{said}");
-            assert!(words.iter().all(|word| said.contains(word)), "{said}");
+            let message = faults.to_string();
+            assert!(message.contains("results.csv:3"), "{message}");
+            assert!(words.iter().all(|word| message.contains(word)), "{message}");
         }
     }
 
@@ -444,10 +444,11 @@ mod tests {
 
     #[test]
     fn data_that_support_nothing_are_said_to() {
-        let why = |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice");
-        assert!(why(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
-        assert!(why(&rows()[6..], 0.1).contains("standard deviation is above 25 %"));
-        assert!(why(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));
+        let reason =
+            |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice");
+        assert!(reason(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
+        assert!(reason(&rows()[6..], 0.1).contains("standard deviation is above 25 %"));
+        assert!(reason(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));
     }
 
     #[test]
@@ -496,9 +497,9 @@ mod tests {
             4,145,10,75,fabric\n5,145,10,78,fabric\n6,145,10,72,fabric\n7,145,20,80,\n8,145,20,80,\n9,145,20,80,\n10,155,5,,\n";
         let settings = settings(&read_press_rows(&Source::new("results.csv", table)).expect("a table"));
         assert_eq!(settings.len(), 3);
-        let chosen = calibrate(&settings, 1.5, 1.5).expect("10 s hold").toml();
-        assert!(chosen.ends_with("[press]\ntemperature = \"145 C\"\ntime = \"10 s\"\n"), "{chosen}");
-        assert!(chosen.contains("seal_strength = \"2.760 N/mm\""), "{chosen}");
+        let choice = calibrate(&settings, 1.5, 1.5).expect("10 s hold").toml();
+        assert!(choice.ends_with("[press]\ntemperature = \"145 C\"\ntime = \"10 s\"\n"), "{choice}");
+        assert!(choice.contains("seal_strength = \"2.760 N/mm\""), "{choice}");
         let first = listing(&settings).lines().nth(1).map(str::to_owned).unwrap_or_default();
         assert!(first.starts_with("#      5            145          3"), "{first}");
         let iron = read_press_rows(&Source::new("results.csv", TABLE)).expect_err("no time");

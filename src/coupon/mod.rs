@@ -16,7 +16,7 @@ use crate::coupon::strips::program_name;
 use crate::emit;
 use design::{Drawing, Layer, Origin, Refusals, SealJob, Shape, lettered};
 use geom::{Bounds, Isometry, Path, Point};
-use program::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
+use program::plan::{Program, Purpose, Scope, refusal_beyond, refusals, seal_program};
 use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use spec::{Machine, Spec};
 
@@ -101,8 +101,8 @@ impl Coupon {
     pub fn area(&self) -> Bounds {
         let job = self.job();
         let paths = job.contacts.iter().flat_map(|contact| contact.laid.paths());
-        let reached = paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-        Bounds { min: Point::ORIGIN, max: reached.max }
+        let contact_bounds = paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+        Bounds { min: Point::ORIGIN, max: contact_bounds.max }
     }
 
     /// Seams of the coupon in the order of sealing.
@@ -131,9 +131,9 @@ pub fn coupons(
     grid: &StripGrid,
     groups: &[CouponGroup],
 ) -> Result<Vec<Coupon>, Refusals> {
-    let mut out = Vec::new();
-    let has = |group: CouponGroup| groups.contains(&group);
-    if has(CouponGroup::Strips) {
+    let mut coupons = Vec::new();
+    let is_wanted = |group: CouponGroup| groups.contains(&group);
+    if is_wanted(CouponGroup::Strips) {
         for (heat, speed, height) in grid.settings() {
             let (mut spec, mut machine) = (spec.clone(), machine.clone());
             heat.set(&mut spec.seal);
@@ -155,7 +155,7 @@ pub fn coupons(
             };
             let pieces: Vec<CouponPiece> = strips.iter().filter(is_own).map(piece).collect();
             let name = program_name(grid, heat, speed, height);
-            out.push(coupon(&spec, &machine, &name, pieces)?);
+            coupons.push(coupon(&spec, &machine, &name, pieces)?);
         }
     }
     let hose = hose(spec.inlet.as_ref());
@@ -165,24 +165,24 @@ pub fn coupons(
         let (seam, cut) =
             (pouch.seam_bounds().min, pouch.cut.as_ref().map_or(Bounds::EMPTY, Path::bounds).min);
         // The cut around a corner reaches farther than the flap is wide.
-        let (right, up) = (edge.max(MARGIN + seam.x - cut.x), edge.max(MARGIN + seam.y - cut.y));
-        let shape = pouch.moved(Isometry::translation(Point::new(x + right, y + up) - seam));
+        let (right, top) = (edge.max(MARGIN + seam.x - cut.x), edge.max(MARGIN + seam.y - cut.y));
+        let shape = pouch.moved(Isometry::translation(Point::new(x + right, y + top) - seam));
         let bounds = shape.seam_bounds();
         let label = bounds.min.lerp(bounds.max, 0.4);
         CouponPiece { name, shape, label: Some((number, label)) }
     };
-    let only = |name: &str| PieceName::Named(name.to_owned());
-    if has(CouponGroup::Disc) {
+    let single = |name: &str| PieceName::Named(name.to_owned());
+    if is_wanted(CouponGroup::Disc) {
         let pouch = disc(DISC, hose, &spec.seal)?;
-        out.push(coupon(spec, machine, "disc", vec![place(only("disc"), 1, &pouch, 0.0, 0.0)])?);
+        coupons.push(coupon(spec, machine, "disc", vec![place(single("disc"), 1, &pouch, 0.0, 0.0)])?);
     }
-    if let Some(star) = spec.stars.first().filter(|_| has(CouponGroup::VActuator)) {
+    if let Some(star) = spec.stars.first().filter(|_| is_wanted(CouponGroup::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
         // It is the only piece, and a number might lie on its band.
-        let piece = CouponPiece { label: None, ..place(only("v-actuator"), 1, &pouch, 0.0, 0.0) };
-        out.push(coupon(spec, machine, "v-actuator", vec![piece])?);
+        let piece = CouponPiece { label: None, ..place(single("v-actuator"), 1, &pouch, 0.0, 0.0) };
+        coupons.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
-    if has(CouponGroup::Burst) {
+    if is_wanted(CouponGroup::Burst) {
         let pouch = disc(BURST_DISC, hose, &spec.seal)?;
         let (x, y) = machine.bench.work_area.map_or((USUAL_BED, USUAL_BED), |(x, y)| (x.0, y.0));
         let bounds = pouch.seam_bounds();
@@ -194,9 +194,9 @@ pub fn coupons(
             places.push((0.5 * right, 0.5 * top));
         }
         let pieces = (1..).zip(places).map(|(i, (x, y))| place(named("burst", i), i, &pouch, x, y));
-        out.push(coupon(spec, machine, "burst", pieces.collect())?);
+        coupons.push(coupon(spec, machine, "burst", pieces.collect())?);
     }
-    Ok(out)
+    Ok(coupons)
 }
 
 /// The name of piece number `number` of `kind`: "strip-7".
@@ -221,7 +221,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
     let job = SealJob::of_pieces(spec, &placed(&pieces), machine.process.ramp.0);
     let scope = Scope { purpose: Purpose::Seal, sheet: 1, pieces: vec![PieceName::Named(name.to_owned())] };
     let program = seal_program(spec, machine, scope, &job, &[]);
-    let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
+    let mut program_refusals = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     let smaller = match name {
         _ if name.starts_with("strips") => {
             "fewer temperatures, powers, speeds, heights or repeats; try them in several sets"
@@ -229,8 +229,8 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
         "v-actuator" => "a smaller `tube_width` in [star]",
         _ => "a machine that reaches as far",
     };
-    found.extend(beyond(machine, &format!("the coupon {name}"), &program.steps, smaller));
-    found.or(())?;
+    program_refusals.extend(refusal_beyond(machine, &format!("the coupon {name}"), &program.steps, smaller));
+    program_refusals.or_value(())?;
     let svg = drawing(name, spec, &pieces);
     let (spec, machine) = (spec.clone(), machine.clone());
     Ok(Coupon { name: name.to_owned(), spec, machine, pieces, program, svg })
@@ -239,8 +239,8 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
 /// The seams, the cuts and the numbers at 1:1.
 fn drawing(name: &str, spec: &Spec, pieces: &[CouponPiece]) -> String {
     let label = |piece: &CouponPiece| {
-        let (number, at) = piece.label?;
-        Shape::figure(lettered(&number.to_string(), at, LABEL))
+        let (number, label_point) = piece.label?;
+        Shape::figure(lettered(&number.to_string(), label_point, LABEL))
     };
     let labels: Vec<Shape> = pieces.iter().filter_map(label).collect();
     let seams = pieces.iter().flat_map(|piece| &piece.shape.seams);

@@ -11,7 +11,7 @@
 
 use std::fmt::Write;
 
-use crate::coupon::strips::{LEGS, TEMPERATURES, WIDTH, outside};
+use crate::coupon::strips::{LEGS, TEMPERATURES, WIDTH, out_of_range};
 use crate::emit;
 use crate::emit::GridCell;
 use design::{Drawing, Layer, Origin, Shape, lettered};
@@ -55,7 +55,7 @@ struct Card {
 
 impl PressGrid {
     /// The settings around those of `press`: 10 C below and above, half and twice the time, as far as they are allowed.
-    pub fn around(press: &Press, repeats: usize) -> Self {
+    pub fn around_press(press: &Press, repeats: usize) -> Self {
         let temperatures = [-10.0, 0.0, 10.0].map(|step| Temperature(press.temperature.0 + step));
         let times = [0.5, 1.0, 2.0].map(|factor| Duration(factor * press.time.0));
         Self {
@@ -71,8 +71,8 @@ impl PressGrid {
             |values: Vec<f64>| values.iter().enumerate().any(|(i, value)| values[..i].contains(value));
         let temperatures = self.temperatures.iter().map(|value| value.0).collect();
         let times = self.times.iter().map(|value| value.0).collect();
-        outside("temperature", &self.temperatures, TEMPERATURES)
-            .or_else(|| outside("time", &self.times, PRESS_TIMES))
+        out_of_range("temperature", &self.temperatures, TEMPERATURES)
+            .or_else(|| out_of_range("time", &self.times, PRESS_TIMES))
             .or_else(|| {
                 (is_double(temperatures) || is_double(times))
                     .then(|| "a setting is given twice; `repeats` presses a setting more often".to_owned())
@@ -90,7 +90,7 @@ impl PressGrid {
     }
 
     /// The cards in rows from the lower left, with bands of `band` mm.
-    fn laid(&self, band: f64) -> Vec<Card> {
+    fn placed_cards(&self, band: f64) -> Vec<Card> {
         #[expect(clippy::cast_precision_loss, reason = "at most some thousand strips")]
         let count = |number: usize| number as f64;
         let size = Vec2::new(count(self.repeats) * WIDTH + 2.0 * WASTE, LEGS + band);
@@ -157,7 +157,7 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
     // All drawings show the cards at the same places. A cutter cuts fabric and paper; edges of bands, specimens and their
     // settings are marks.
     let band = spec.seal.band.0;
-    let cards = grid.laid(band);
+    let cards = grid.placed_cards(band);
     let cell = |card: &Card, number: usize, specimen: Bounds| {
         let middle = specimen.min.y + band / 2.0;
         let line = Line::new(Point::new(specimen.min.x, middle), Point::new(specimen.max.x, middle));
@@ -183,13 +183,13 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
     let paper = cards.iter().take(1).map(|card| card.paper(band)).collect();
     [
         ("strips.svg", emit::cells(&format!("press strips: {}", spec.name), &cells, band)),
-        ("cards.svg", drawn("fabric cards", spec, sheet)),
-        ("paper.svg", drawn("paper of a card", spec, vec![(Layer::SeparatorEdge, rectangles(paper))])),
+        ("cards.svg", sheet_svg("fabric cards", spec, sheet)),
+        ("paper.svg", sheet_svg("paper of a card", spec, vec![(Layer::SeparatorEdge, rectangles(paper))])),
     ]
 }
 
 /// The `layers` on a sheet as large as they need.
-fn drawn(title: &str, spec: &Spec, layers: Vec<(Layer, Vec<Shape>)>) -> String {
+fn sheet_svg(title: &str, spec: &Spec, layers: Vec<(Layer, Vec<Shape>)>) -> String {
     let shapes = layers.iter().flat_map(|(_, shapes)| shapes);
     let bounds = shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);
     let drawing =
@@ -199,12 +199,12 @@ fn drawn(title: &str, spec: &Spec, layers: Vec<(Layer, Vec<Shape>)>) -> String {
 
 /// The table to fill in, as CSV.
 pub fn press_table(spec: &Spec, grid: &PressGrid) -> String {
-    let mut out = String::from("strip,temperature_C,time_s,peel_N,failure\n");
-    for card in grid.laid(spec.seal.band.0) {
+    let mut lines = String::from("strip,temperature_C,time_s,peel_N,failure\n");
+    for card in grid.placed_cards(spec.seal.band.0) {
         for (number, _) in card.specimens(grid.repeats) {
             // Writing to a String does not fail.
-            let _ = writeln!(out, "{number},{},{},,", card.temperature.0, card.time.0);
+            let _ = writeln!(lines, "{number},{},{},,", card.temperature.0, card.time.0);
         }
     }
-    out
+    lines
 }

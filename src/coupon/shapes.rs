@@ -53,9 +53,9 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
 
 /// A pouch in its own coordinates: one band around a tube, from one side of the mouth of `width` mm to the other.
 fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
-    let at = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
+    let mouth = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
     let seam = Seam { role: Role::Boundary, ..Seam::weld(band) };
-    let ports = at.map(|at| Port { at, width }).into_iter().collect();
+    let ports = mouth.map(|mouth| Port { at: mouth, width }).into_iter().collect();
     SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports, valves: Vec::new() }
 }
 
@@ -64,19 +64,19 @@ fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
     if hose.length.0 > flap {
         return Ok(());
     }
-    let found =
+    let problem =
         format!("the mouth of a pouch would lie {} mm inside the flap", Readable(flap - hose.length.0));
     let remedy = format!("length must be above {} mm", Least(flap));
-    Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, found, remedy))
+    Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, problem, remedy))
 }
 
-fn too_thick(hose: &Inlet, coupon: &str, most: f64) -> Refusal {
-    let found = format!("a hose of {} has no room on the {coupon}", hose.tube_diameter);
+fn too_thick(hose: &Inlet, coupon: &str, largest: f64) -> Refusal {
+    let problem = format!("a hose of {} has no room on the {coupon}", hose.tube_diameter);
     let remedy = format!(
         "tube_diameter must be below {} mm: take a thinner hose, or make other coupons only",
-        Most(most.max(0.0))
+        Most(largest.max(0.0))
     );
-    Refusal::new(key::inlet::TUBE_DIAMETER, RefusalCode::InletMeetsArm, found, remedy)
+    Refusal::new(key::inlet::TUBE_DIAMETER, RefusalCode::InletMeetsArm, problem, remedy)
 }
 
 /// The arms of a V, and the mouth at the end of the upper one.
@@ -89,18 +89,18 @@ struct Arm<'a> {
 }
 
 impl Arm<'_> {
-    /// The line at the distance `delta` outside of the tube, `between` on the side where the arms face each other; its ends are `beyond`
-    /// the mouth.
-    fn vee(&self, delta: f64, between: f64, beyond: f64) -> Path {
+    /// The line at the distance `delta` outside of the tube, `inner_delta` on the side where the arms face each other; its ends are
+    /// `overrun` the mouth.
+    fn vee(&self, delta: f64, inner_delta: f64, overrun: f64) -> Path {
         let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
         let arm = 4.0 * w + delta;
-        let end = 4.0 * w + self.mouth + beyond;
+        let end = 4.0 * w + self.mouth + overrun;
         let (sin, cos) = libm::sincos(half);
         // In the frame of an arm: away from the hinge, and outwards.
-        let at = |side: f64, along: f64, out: f64| {
+        let point = |side: f64, along: f64, out: f64| {
             Point::ORIGIN + Vec2::new(-cos, side * sin) * along + Vec2::new(sin, side * cos) * out
         };
-        let (outer, inner) = (r + w + delta, r - between);
+        let (outer, inner) = (r + w + delta, r - inner_delta);
         let (middle, h) = (r + w / 2.0, self.half_mouth + delta);
         // A sharp inner hinge is a vertex that eats into the arms.
         let eaten = (-inner).max(0.0) / libm::tan(half);
@@ -108,26 +108,26 @@ impl Arm<'_> {
         // If the channel's flap is as wide as the arm's, the end has no shoulder.
         let (low, high) = ((middle - h).max(inner), (middle + h).min(outer));
         segments.extend(lines(&[
-            at(1.0, end, high),
-            at(1.0, arm, high),
-            at(1.0, arm, outer),
-            at(1.0, 0.0, outer),
+            point(1.0, end, high),
+            point(1.0, arm, high),
+            point(1.0, arm, outer),
+            point(1.0, 0.0, outer),
         ]));
         segments.push(Arc::new(Point::ORIGIN, outer, PI / 2.0 - half, 2.0 * half - PI).into());
         segments.extend(lines(&[
-            at(-1.0, 0.0, outer),
-            at(-1.0, arm, outer),
-            at(-1.0, arm, inner),
-            at(-1.0, eaten, inner),
+            point(-1.0, 0.0, outer),
+            point(-1.0, arm, outer),
+            point(-1.0, arm, inner),
+            point(-1.0, eaten, inner),
         ]));
         if inner > 0.0 {
             segments.push(Arc::new(Point::ORIGIN, inner, half - PI / 2.0, PI - 2.0 * half).into());
         }
         segments.extend(lines(&[
-            at(1.0, eaten, inner),
-            at(1.0, arm, inner),
-            at(1.0, arm, low),
-            at(1.0, end, low),
+            point(1.0, eaten, inner),
+            point(1.0, arm, inner),
+            point(1.0, arm, low),
+            point(1.0, end, low),
         ]));
         Path::open(segments)
     }
@@ -135,8 +135,8 @@ impl Arm<'_> {
 
 /// The lines between neighbouring points, without lines of zero length.
 fn lines(points: &[Point]) -> Vec<Segment> {
-    let apart = |pair: &&[Point]| pair[0].distance(pair[1]) > 1e-9;
-    points.windows(2).filter(apart).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
+    let is_long = |pair: &&[Point]| pair[0].distance(pair[1]) > 1e-9;
+    points.windows(2).filter(is_long).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
 }
 
 #[cfg(test)]
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    fn of(diameter: f64) -> Inlet {
+    fn inlet_of(diameter: f64) -> Inlet {
         Inlet { tube_diameter: Length(diameter), ..USUAL_HOSE }
     }
 
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn a_disc_has_its_diameter_and_a_mouth_for_its_hose() {
         for hose in [4.0, 8.0] {
-            let pouch = disc(100.0, &of(hose), &seal()).expect("a disc");
+            let pouch = disc(100.0, &inlet_of(hose), &seal()).expect("a disc");
             let (seam, cut) = parts(&pouch);
             assert_eq!(pouch.topology().leaks, []);
             assert!(seam.largest_gap() < 1e-9 && cut.largest_gap() < 1e-9);
@@ -184,7 +184,7 @@ mod tests {
             assert!((seam.bounds().max.x - 71.0).abs() < 1e-9 && (cut.bounds().max.x - 70.0).abs() < 1e-9);
         }
         assert_eq!(
-            disc(40.0, &of(30.0), &seal()).map_err(|refusal| refusal.code),
+            disc(40.0, &inlet_of(30.0), &seal()).map_err(|refusal| refusal.code),
             Err(RefusalCode::InletMeetsArm)
         );
     }
@@ -193,7 +193,7 @@ mod tests {
     fn a_v_is_one_unbroken_line_as_wide_as_its_tube() {
         for radius in [0.0, 0.5, 3.0] {
             let star = StarSpec { tip_radius: Length(radius), ..StarSpec::paper(5) };
-            let pouch = vee(&star, &of(8.0), &seal()).expect("a V");
+            let pouch = vee(&star, &inlet_of(8.0), &seal()).expect("a V");
             let (seam, cut) = parts(&pouch);
             assert_eq!(pouch.topology().leaks, []);
             assert!(
@@ -202,18 +202,19 @@ mod tests {
                 seam.largest_gap()
             );
             // Half way along an arm the two bands are apart by a tube's width and a band.
-            let out = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
-            let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
+            let outwards = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
+            let middle =
+                Point::ORIGIN + Vec2::new(-outwards.y, outwards.x) * 60.0 + outwards * (radius + 15.0);
             assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
             assert!((width(seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
             // The cut keeps a distance from the band, except at the mouth.
-            let least = seam.segments[1..seam.segments.len() - 1]
+            let distance = seam.segments[1..seam.segments.len() - 1]
                 .iter()
                 .map(|s| cut.distance(s.start()))
                 .fold(f64::INFINITY, f64::min);
-            assert!(least >= 1.0 - 1e-9, "{radius}: {least}");
+            assert!(distance >= 1.0 - 1e-9, "{radius}: {distance}");
             assert_eq!(
-                vee(&star, &of(20.0), &seal()).map_err(|refusal| refusal.code),
+                vee(&star, &inlet_of(20.0), &seal()).map_err(|refusal| refusal.code),
                 Err(RefusalCode::InletMeetsArm)
             );
         }

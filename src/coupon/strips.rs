@@ -119,21 +119,21 @@ impl StripGrid {
         if wrong_tool {
             return Some("a laser has powers, and an iron has temperatures: neither has both".to_owned());
         }
-        outside("temperature", &self.temperatures, TEMPERATURES)
-            .or_else(|| outside("power", &self.powers, POWERS))
-            .or_else(|| outside("speed", &self.speeds, SEAL_SPEEDS))
-            .or_else(|| outside("height", &self.heights, if is_laser { FOCUSES } else { CONTACT }))
+        out_of_range("temperature", &self.temperatures, TEMPERATURES)
+            .or_else(|| out_of_range("power", &self.powers, POWERS))
+            .or_else(|| out_of_range("speed", &self.speeds, SEAL_SPEEDS))
+            .or_else(|| out_of_range("height", &self.heights, if is_laser { FOCUSES } else { CONTACT }))
             .or_else(too_low)
             .or_else(|| self.alike())
     }
 
     /// Two settings with the same file name, as text with the required difference; `None` if all names differ.
     fn alike(&self) -> Option<String> {
-        let mut known = HashMap::new();
-        let said = |(t, v, h)| (program_name(self, t, v, h), format!("{t} at {v}, Z {h}"));
-        let (first, twin) = self.settings().map(said).find_map(|(name, setting)| {
-            let first = known.get(&name).cloned();
-            let _ = known.entry(name).or_insert_with(|| setting.clone());
+        let mut first_settings = HashMap::new();
+        let name_and_setting = |(t, v, h)| (program_name(self, t, v, h), format!("{t} at {v}, Z {h}"));
+        let (first, twin) = self.settings().map(name_and_setting).find_map(|(name, setting)| {
+            let first = first_settings.get(&name).cloned();
+            let _ = first_settings.entry(name).or_insert_with(|| setting.clone());
             Some((first?, setting))
         })?;
         let heats = if self.powers.is_empty() {
@@ -168,7 +168,7 @@ impl StripGrid {
 }
 
 /// The first of `values` that is not `allowed`, as text with the allowed ones.
-pub(super) fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
+pub(super) fn out_of_range<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
     let wrong = values.iter().find(|value| !allowed.contains(value.base()))?;
     Some(format!("a {word} of {wrong}; it {}", allowed.in_words(Q::KIND.unit())))
 }
@@ -219,10 +219,10 @@ pub fn table(strips: &[TestStrip]) -> String {
     let is_laser = strips.iter().any(|strip| matches!(strip.heat, StripHeat::Power(_)));
     let [heat_name, height_name] =
         if is_laser { ["power_percent", "focus_mm"] } else { ["temperature_C", "height_mm"] };
-    let mut out = format!("strip,{heat_name},speed_mm_s,{height_name},peel_N,failure\n");
+    let mut lines = format!("strip,{heat_name},speed_mm_s,{height_name},peel_N,failure\n");
     for strip in strips {
         let TestStrip { number, heat, speed, height, .. } = strip;
-        let _ = writeln!(out, "{number},{},{},{},,", heat.number(), speed.0, height.0);
+        let _ = writeln!(lines, "{number},{},{},{},,", heat.number(), speed.0, height.0);
     }
-    out
+    lines
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use spec::units::counted;
+use spec::units::count_text;
 use spec::{Allowed, Fault, FaultCode, Faults, Source};
 
 /// Largest number of collected faults: a wrong file has one a line.
@@ -86,13 +86,14 @@ impl<'a> Table<'a> {
     fn read<const N: usize>(&mut self, columns: &[TableColumn; N]) -> Vec<[Option<f64>; N]> {
         // If a lone CR ended lines, a comment would hide the rest of the file.
         let bytes = self.text.as_bytes();
-        if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
-            let fault = Fault::error(FaultCode::LineEnd, at..at + 1, "a line ends with CR alone");
+        if let Some(place) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
+        {
+            let fault = Fault::error(FaultCode::LineEnd, place..place + 1, "a line ends with CR alone");
             self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV again"));
             return Vec::new();
         }
-        if let Some((at, length)) = self.long_line() {
-            let fault = Fault::error(FaultCode::TooLarge, at..at, format!("a line of {length} bytes"));
+        if let Some((place, length)) = self.long_line() {
+            let fault = Fault::error(FaultCode::TooLarge, place..place, format!("a line of {length} bytes"));
             let label = format!("must have at most {LONGEST_LINE}");
             self.faults.push(fault.label(label).help("is this the right file?"));
             return Vec::new();
@@ -108,8 +109,8 @@ impl<'a> Table<'a> {
         let (mut record, mut header, mut rows) = (StringRecord::new(), None, Vec::new());
         // Reading cannot fail: the bytes are in memory, and the text is UTF-8.
         while self.faults.len() < FAULTS && reader.read_record(&mut record).unwrap_or(false) {
-            let at = record.position().and_then(|place| usize::try_from(place.byte()).ok()).unwrap_or(0);
-            let line = self.line(start + at);
+            let place = record.position().and_then(|place| usize::try_from(place.byte()).ok()).unwrap_or(0);
+            let line = self.line(start + place);
             if record.iter().all(str::is_empty) {
                 continue;
             }
@@ -138,10 +139,10 @@ impl<'a> Table<'a> {
         lines.find(|(_, length)| *length > LONGEST_LINE)
     }
 
-    /// The line of the record that begins at or after `at`: past ends of lines and comments.
-    fn line(&self, at: usize) -> Range<usize> {
+    /// The line of the record that begins at or after `place`: past ends of lines and comments.
+    fn line(&self, place: usize) -> Range<usize> {
         let end = |from: usize| self.text[from..].find('\n').map_or(self.text.len(), |n| from + n);
-        let mut start = at;
+        let mut start = place;
         loop {
             match self.text.as_bytes().get(start) {
                 Some(b'\n' | b'\r') => start += 1,
@@ -159,8 +160,8 @@ impl<'a> Table<'a> {
         columns: &[TableColumn; N],
     ) -> Option<[usize; N]> {
         let mut places = [0; N];
-        let known = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
-        if !record.iter().any(known) {
+        let is_header = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
+        if !record.iter().any(is_header) {
             let fault = Fault::error(FaultCode::NoHeader, line.clone(), "this line is not a header")
                 .label(format!("must have the columns {}", headers(columns)))
                 .help("write the names above the numbers, with these units");
@@ -169,11 +170,11 @@ impl<'a> Table<'a> {
         }
         for (column, place) in columns.iter().zip(&mut places) {
             let name = column.header();
-            let found: Vec<(usize, String)> = (0..)
+            let matches: Vec<(usize, String)> = (0..)
                 .zip(record)
                 .filter_map(|(i, cell)| column.unit_in(cell).map(|unit| (i, unit)))
                 .collect();
-            let fault = match found.as_slice() {
+            let fault = match matches.as_slice() {
                 [(i, unit)] if unit == column.unit => {
                     *place = *i;
                     continue;
@@ -214,7 +215,7 @@ impl<'a> Table<'a> {
             return None;
         }
         if record.len() != count {
-            let fault = Fault::error(FaultCode::CellCount, line.clone(), counted(record.len(), "cell"));
+            let fault = Fault::error(FaultCode::CellCount, line.clone(), count_text(record.len(), "cell"));
             let help = match (record.len() > count, self.text[line.clone()].contains(';')) {
                 (_, true) => {
                     "the header is not separated by `;`: write one separator throughout, decimals with a point"
@@ -225,7 +226,7 @@ impl<'a> Table<'a> {
             self.faults.push(fault.label(format!("must be {count}, as the header has")).help(help));
             return None;
         }
-        let before = self.faults.len();
+        let fault_count = self.faults.len();
         let mut row = [None; N];
         for ((column, place), value) in columns.iter().zip(places).zip(&mut row) {
             let cell = &record[place];
@@ -240,7 +241,7 @@ impl<'a> Table<'a> {
                 }
             }
         }
-        (self.faults.len() == before).then_some(row)
+        (self.faults.len() == fault_count).then_some(row)
     }
 
     /// Place of cell `index` in `line`; the whole line if quotes hide the cell.
@@ -249,9 +250,9 @@ impl<'a> Table<'a> {
         let delimiter = char::from(self.delimiter);
         let cell = text.split(delimiter).nth(index).filter(|_| !text.contains('"'));
         cell.map_or(line.clone(), |cell| {
-            let before: usize = text.split(delimiter).take(index).map(|cell| cell.len() + 1).sum();
+            let offset: usize = text.split(delimiter).take(index).map(|cell| cell.len() + 1).sum();
             let blanks = cell.len() - cell.trim_start().len();
-            let start = line.start + before + blanks;
+            let start = line.start + offset + blanks;
             start..start + cell.trim().len()
         })
     }
@@ -265,9 +266,9 @@ fn bad_number(column: &TableColumn, cell: &str, place: Range<usize>) -> Fault {
         let message = format!("`{name}` is `{cell}`: a decimal comma");
         return Fault::error(FaultCode::DecimalComma, place, message).label(format!("write {pointed}"));
     }
-    let found = if cell.is_empty() { "empty".to_owned() } else { format!("`{}`", shortened(cell)) };
+    let problem = if cell.is_empty() { "empty".to_owned() } else { format!("`{}`", shortened(cell)) };
     let label = format!("a number is needed; it {}", column.allowed.in_words(""));
-    let fault = Fault::error(FaultCode::Cell, place, format!("`{name}` is {found}")).label(label);
+    let fault = Fault::error(FaultCode::Cell, place, format!("`{name}` is {problem}")).label(label);
     if cell.parse::<f64>().is_ok_and(f64::is_finite) { fault.help(column.slip) } else { fault }
 }
 

@@ -139,8 +139,8 @@ fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
         let [start, stop] = [from, to].map(|part| arc.at_angle(arc.start_angle + part * arc.sweep));
         let (a, b) = (start + arc.tangent(from) * handle, stop - arc.tangent(to) * handle);
         let stop = end.filter(|_| to >= 1.0).unwrap_or(stop);
-        let [ax, ay, bx, by, x, y] = [a.x, a.y, b.x, b.y, stop.x, stop.y].map(number);
-        let _ = content.cubic_to(ax, ay, bx, by, x, y);
+        let [x1, y1, x2, y2, x, y] = [a.x, a.y, b.x, b.y, stop.x, stop.y].map(number);
+        let _ = content.cubic_to(x1, y1, x2, y2, x, y);
         pieces_done += 1.0;
     }
 }

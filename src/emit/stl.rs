@@ -116,9 +116,9 @@ fn corners(path: &Path) -> Vec<[f64; 2]> {
 /// Two triangles below the edge from the first to the second of `ends`, whose left side is solid, from Z 0 to `top`.
 fn wall(bytes: &mut Vec<u8>, ends: [[f64; 2]; 2], top: f64) {
     let [a, b] = ends;
-    let ([ax, ay], [bx, by]) = (a, b);
-    let length = libm::hypot(bx - ax, by - ay);
-    let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
+    let ([x1, y1], [x2, y2]) = (a, b);
+    let length = libm::hypot(x2 - x1, y2 - y1);
+    let normal = [(y2 - y1) / length, (x1 - x2) / length, 0.0];
     facet(bytes, [(a, top), (a, 0.0), (b, 0.0)], normal);
     facet(bytes, [(a, top), (b, 0.0), (b, top)], normal);
 }

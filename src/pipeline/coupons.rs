@@ -59,7 +59,7 @@ impl MadeCoupons {
             let leaks = airtight::shape_leaks(&piece.shape, false).into_iter();
             leaks.map(|leak| Refusal { found: format!("{}: {}", piece.name, leak.found), ..leak })
         });
-        leaks.collect::<Refusals>().or(())?;
+        leaks.collect::<Refusals>().or_value(())?;
         let file = |name: String, kind: Kind, text: &str| Artifact {
             output: Output::new(kind),
             name,
@@ -159,9 +159,9 @@ impl MadeCoupons {
             let findings = findings.into_vec().into_iter();
             proof.findings.extend(findings.map(|finding| finding.in_file(&file.name)));
         }
-        let known =
+        let is_listed =
             |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|file| file.name == name);
-        for name in files.names().filter(|name| !known(name)) {
+        for name in files.names().filter(|name| !is_listed(name)) {
             let problem = "a file that the coupons do not have";
             let finding = Finding::new(FindingCode::UnnamedFile, problem, "only their files");
             proof.findings.push(finding.in_file(name));
@@ -213,7 +213,7 @@ impl MadeCoupons {
 
 impl ProvenCoupons {
     /// The coupons and their files.
-    pub fn made(&self) -> &MadeCoupons {
+    pub fn made_coupons(&self) -> &MadeCoupons {
         &self.0
     }
 
@@ -276,12 +276,12 @@ fn press_settings_of(choice: &CouponChoice) -> Option<PressGrid> {
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
 fn settings_of(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
-    let CouponChoice { temperatures, powers, speeds, heights, repeats, only, .. } = choice;
+    let CouponChoice { temperatures, powers, speeds, heights, repeats, .. } = choice;
     let lengths = [temperatures.len().checked_add(powers.len())?, speeds.len(), heights.len()];
     let strips = lengths.iter().try_fold(*repeats, |strips, length| strips.checked_mul(*length))?;
     let group =
         |name: &String| CouponGroup::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
-    let groups = only.iter().map(group).collect::<Option<_>>()?;
+    let groups = choice.only.iter().map(group).collect::<Option<_>>()?;
     let grid = StripGrid {
         temperatures: temperatures.iter().copied().map(Temperature).collect(),
         powers: powers.iter().copied().map(Percent).collect(),

@@ -41,10 +41,10 @@ pub fn feed_check(
     name: &str,
 ) -> Result<ProvenFeedCheck, FeedCheckFault> {
     let is_pressed: Refusals = no_programs(spec, "feedcheck").into_iter().collect();
-    is_pressed.or(()).map_err(FeedCheckFault::Refused)?;
+    is_pressed.or_value(()).map_err(FeedCheckFault::Refused)?;
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
-    plan::feed_check_refusals(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
+    plan::feed_check_refusals(spec, machine, &programs).or_value(()).map_err(FeedCheckFault::Refused)?;
     let (text, _, findings) = program_of(spec, machine, None);
     if !findings.is_empty() {
         let findings = findings.into_iter().map(|finding| finding.in_file(name)).collect();

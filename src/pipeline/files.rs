@@ -36,10 +36,9 @@ impl Forecast {
 
     /// The manifest of `files`, which `request` selects.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
-        let KindRequest { only, with } = request.clone();
         let bill =
             manifest_of(&self.spec, &self.design, &self.programs, &self.cuts, self.prediction.as_ref());
-        Manifest { files, only, with, ..bill }
+        Manifest { files, only: request.only.clone(), with: request.with.clone(), ..bill }
     }
 }
 
@@ -81,10 +80,10 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 
 /// The gripper in three dimensions, as a GLB file.
 fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
-    let Forecast { spec, design, drawn, .. } = forecast;
-    match design.drawn() {
+    let Forecast { spec, design, .. } = forecast;
+    match design.drawn_pieces() {
         Some(pieces) => {
-            let surfaces = drawn.as_ref().map_or(&[][..], |drawn| &drawn.surfaces);
+            let surfaces = forecast.drawn.as_ref().map_or(&[][..], |drawn| &drawn.surfaces);
             emit::drawn_scene(spec, design, pieces, surfaces)
         }
         None => emit::scene(spec, design, &inflated(forecast)),
@@ -118,7 +117,7 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 
 /// The report of the gripper: all results on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
-    let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
+    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
     let chart_list = charts(spec, design);
     let glb = scene(forecast)?;
     // The page does not list the cuts.
@@ -133,7 +132,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         design,
         programs,
         prediction: prediction.as_ref(),
-        drawn: drawn.as_ref().map(|drawn| &drawn.prediction),
+        drawn: forecast.drawn.as_ref().map(|drawn| &drawn.prediction),
         charts: &chart_list,
         watch: &watch,
         bill: &bill,

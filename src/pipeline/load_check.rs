@@ -42,7 +42,7 @@ mod tests {
     fn of_text(text: String) -> Forecast {
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
         let machine = Machine::builtin("generic").expect("built in");
-        Forecast::of(reading.spec, machine).expect("a design")
+        Forecast::new(reading.spec, machine).expect("a design")
     }
 
     fn codes(forecast: &Forecast) -> Vec<String> {

@@ -106,7 +106,7 @@ impl Planned {
         let loaded_stars = design.assembly().filter(|_| spec.load.is_some());
         let prediction = loaded_stars.map(|_| predict(&spec, &design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
-        let loaded_pieces = design.drawn().filter(|_| spec.load.is_some());
+        let loaded_pieces = design.drawn_pieces().filter(|_| spec.load.is_some());
         let drawn_forecast = loaded_pieces.map(|pieces| of_spec(&spec, pieces, watch)).transpose();
         let drawn_forecast = drawn_forecast.map_err(|fault| no_prediction(&fault))?;
         Ok(Forecast { spec, machine, design, programs, traces, cuts, prediction, drawn: drawn_forecast })
@@ -118,7 +118,7 @@ impl Forecast {
     ///
     /// # Errors
     /// The refusals of the first step that fails.
-    pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
+    pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         Planned::new(spec, machine)?.forecast(&Watch::default())
     }
 }
@@ -133,5 +133,5 @@ pub fn build(
     sources: Sources<'_>,
     request: &KindRequest,
 ) -> Result<Built, Refusals> {
-    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, request))
+    Ok(Forecast::new(spec.clone(), machine.clone())?.build(sources, request))
 }

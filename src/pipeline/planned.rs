@@ -27,7 +27,7 @@ pub struct Planned {
 
 /// The programs of `design`, in which the inlet is the only opening for air.
 pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
-    airtight::leaks(&spec, &machine, &design).or(())?;
+    airtight::leaks(&spec, &machine, &design).or_value(())?;
     if machine.tool == SealingTool::Press || spec.press.is_some() {
         return pressed(spec, machine, design);
     }
@@ -35,9 +35,9 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     other_tool.or(())?;
     // The size is checked before the programs are made: they may exceed the memory.
     let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
-    too_many.or(())?;
+    too_many.or_value(())?;
     let without_marks: Refusals = plan::no_marks(&spec, &design).into_iter().collect();
-    without_marks.or(())?;
+    without_marks.or_value(())?;
     let programs = plan::seal_programs(&spec, &machine, &design);
     let traces = plan::trace_programs(&spec, &machine, &design);
     let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
@@ -48,33 +48,40 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
         let remedy = "lay the sheet nearer to its place";
         let programs = programs.iter().chain(&traces).filter(|program| program.sheet == alignment.sheet);
         let steps: Vec<Step> = programs.flat_map(|program| program.steps.clone()).collect();
-        refusals.extend(plan::beyond(&machine, "the moved sheet", &steps, remedy));
+        refusals.extend(plan::refusal_beyond(&machine, "the moved sheet", &steps, remedy));
     }
-    refusals.or(Planned { spec, machine, design, programs, traces, cuts })
+    refusals.or_value(Planned { spec, machine, design, programs, traces, cuts })
 }
 
 /// A design that a press seals without programs.
 fn pressed(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
     let is_press = machine.tool == SealingTool::Press;
     let refusal = (is_press != spec.press.is_some()).then(|| {
-        let found = if is_press {
+        let problem = if is_press {
             format!("{} is a heat press, and the spec has no [press]", machine.name)
         } else {
             format!("the spec has [press], and {} is no heat press", machine.name)
         };
         let remedy = "write profile = \"press\" in [machine], and the section [press]";
-        Refusal::new(key::machine::PROFILE, RefusalCode::NoPress, found, remedy)
+        Refusal::new(key::machine::PROFILE, RefusalCode::NoPress, problem, remedy)
     });
     let refusals: Refusals = refusal.into_iter().collect();
-    refusals.or(Planned { spec, machine, design, programs: Vec::new(), traces: Vec::new(), cuts: Vec::new() })
+    refusals.or_value(Planned {
+        spec,
+        machine,
+        design,
+        programs: Vec::new(),
+        traces: Vec::new(),
+        cuts: Vec::new(),
+    })
 }
 
 /// The refusal of `subject`, which is made of programs, for a press that runs none; `None` for a machine with an iron.
 pub fn no_programs(spec: &Spec, subject: &str) -> Option<Refusal> {
     let _ = spec.press.as_ref()?;
-    let found = format!("{subject} needs a program, and a heat press runs none");
+    let problem = format!("{subject} needs a program, and a heat press runs none");
     let remedy = "ask for separator-svg, outline-svg or press-plan, or name a machine with an iron";
-    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, found, remedy))
+    Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPrograms, problem, remedy))
 }
 
 /// Refuses the first program that `request` names, for a press.
@@ -85,7 +92,7 @@ pub fn no_requested_programs(spec: &Spec, request: &KindRequest) -> Result<(), R
     let program = request.only.iter().chain(&request.with).find(|kind| kind.format() == Format::Gcode);
     let refusals: Refusals =
         program.and_then(|program| no_programs(spec, program.name())).into_iter().collect();
-    refusals.or(())
+    refusals.or_value(())
 }
 
 /// A failed prediction, as a refusal at the key that causes it.

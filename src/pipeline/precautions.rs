@@ -202,7 +202,7 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
 
 /// The task to seal the valves to their sheet first.
 fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
-    let below = match forecast.machine.tool {
+    let clearance = match forecast.machine.tool {
         SealingTool::Iron | SealingTool::Laser => {
             let height = Readable(forecast.machine.process.heights.travel.0);
             format!("the tool passes {height} mm above the fabric between seams")
@@ -213,7 +213,7 @@ fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
     };
     let text = format!(
         "cut one sheet along the outline with valves, and seal the flange of each valve to it around its hole; lay it on \
-         the other, the valves upwards: {below}"
+         the other, the valves upwards: {clearance}"
     );
     let mut shapes = forecast.design.placed().iter().map(|placed| forecast.design.part(placed).shape());
     shapes.any(|shape| !shape.valves.is_empty()).then(|| Precaution::new(PrecautionCode::FitValve, text))

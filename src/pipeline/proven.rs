@@ -79,7 +79,7 @@ pub struct PublishedBuild {
 
 impl PublishedBuild {
     /// Reads spec, profile and manifest among `files`.
-    pub fn of(files: &OutputFiles<'_>) -> Self {
+    pub fn read(files: &OutputFiles<'_>) -> Self {
         let coupons = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
         if coupons.is_some() {
             return Self { forecast: Err(Vec::new()), written: None, coupons };
@@ -90,7 +90,7 @@ impl PublishedBuild {
     }
 
     /// The names of all files that the directory must have; empty if its request is refused.
-    pub fn wanted(&self) -> Vec<String> {
+    pub fn required_names(&self) -> Vec<String> {
         if let Some(coupons) = &self.coupons {
             return coupons.files.iter().map(|entry| entry.path.clone()).collect();
         }
@@ -148,7 +148,7 @@ impl PublishedBuild {
             None => files.lacks(MANIFEST, right).found,
         };
         let finding = Finding::new(FindingCode::Manifest, problem, right);
-        let wanted_names = self.wanted();
+        let wanted_names = self.required_names();
         let is_ours =
             |name: &str| name == MANIFEST || wanted_names.iter().any(|wanted_names| wanted_names == name);
         let foreign = files.names().filter(|name| !is_ours(name)).map(|name| {
@@ -227,12 +227,12 @@ fn is_json(content: &[u8]) -> bool {
 
 /// Proves an output directory from its files alone: see [`PublishedBuild::prove`].
 pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
-    PublishedBuild::of(files).prove(files)
+    PublishedBuild::read(files).prove(files)
 }
 
 /// Proves an output directory by reading alone, as [`Built::prove`] does.
 pub fn read_back(files: &OutputFiles<'_>) -> Proof {
-    match PublishedBuild::of(files) {
+    match PublishedBuild::read(files) {
         PublishedBuild { coupons: Some(coupons), .. } => prove_coupons(&coupons, files),
         PublishedBuild { forecast: Ok(forecast), written, .. } => {
             prove_claimed(&forecast, written.as_ref(), files)
@@ -284,7 +284,7 @@ fn forecast_of(
     if let Some(name) = drawing.filter(|name| files.get(name).is_none()) {
         return Err(vec![files.lacks(name, "the file of the build")]);
     }
-    let Some(aligned) = aligned else { return Forecast::of(reading.spec, machine).map_err(refused) };
+    let Some(aligned) = aligned else { return Forecast::new(reading.spec, machine).map_err(refused) };
     let planned = Planned::aligned(reading.spec, machine, Some(aligned.sheet), aligned.measured());
     let planned = planned.map_err(|fault| match fault {
         AlignedFault::Refused(refusals) => refused(refusals),

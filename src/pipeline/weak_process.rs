@@ -73,7 +73,7 @@ mod tests {
              tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\ninner_process = \"{name}\"\n[process.{name}]\nstrength = \"{inner} N/mm\"\n"
         );
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
-        let forecast = Forecast::of(reading.spec, Machine::builtin("generic").expect("built in"));
+        let forecast = Forecast::new(reading.spec, Machine::builtin("generic").expect("built in"));
         weak_processes(&forecast.expect("a design"))
     }
 

@@ -72,8 +72,8 @@ impl Figures {
                 _ => vec![line.to_owned()],
             },
             _ if comment.text.starts_with("estimated printing time") => {
-                let told = emit::estimate(record.controller.dialect, self.seconds);
-                told.map(|told| record.comment(&told)).into_iter().collect()
+                let estimate = emit::estimate(record.controller.dialect, self.seconds);
+                estimate.map(|estimate| record.comment(&estimate)).into_iter().collect()
             }
             _ => vec![line.to_owned()],
         }

@@ -56,37 +56,38 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
     let contradiction = judge::contradiction(&record, text, toolpath.seconds);
-    let broken = || judge::first_fault(&record, text, &toolpath.reach);
-    if let Some(finding) = contradiction.or_else(broken).or_else(|| stated::first_fault(&toolpath)) {
+    let first_fault = || judge::first_fault(&record, text, &toolpath.reach);
+    if let Some(finding) = contradiction.or_else(first_fault).or_else(|| stated::first_fault(&toolpath)) {
         return Err(ResumeFault::Disagrees(finding));
     }
     let stop = place.find(&toolpath)?;
-    let wanted = overlap.unwrap_or(record.seal.overlap.0);
-    let first = rest(&toolpath, &stop, wanted);
+    let least_overlap = overlap.unwrap_or(record.seal.overlap.0);
+    let first = rest(&toolpath, &stop, least_overlap);
     let Err(ResumeFault::Unproven(_)) = first else { return first };
     // Chopped strokes that end without a dwell are joined to the old one that follows. A little farther back others end there.
-    let longer = (1..=TRIES).map(|tries| wanted + LONGER * f64::from(tries));
-    longer.map(|wanted| rest(&toolpath, &stop, wanted)).find(Result::is_ok).unwrap_or(first)
+    let longer = (1..=TRIES).map(|tries| least_overlap + LONGER * f64::from(tries));
+    longer.map(|least_overlap| rest(&toolpath, &stop, least_overlap)).find(Result::is_ok).unwrap_or(first)
 }
 
-/// A program for the rest of a job, with an overlap of at least `wanted` mm.
-fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resumed, ResumeFault> {
+/// A program for the rest of a job, with an overlap of at least `least_overlap` mm.
+fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, least_overlap: f64) -> Result<Resumed, ResumeFault> {
     let record = toolpath.record;
     // At a stop of the machine the seam may continue one stroke farther back.
     let spare = if record.joins_moves() { record.seal.band.0 } else { 0.0 };
-    let back = wanted + record.process.ramp.0 + spare;
+    let back = least_overlap + record.process.ramp.0 + spare;
     let (mut way, mut overlap) = (String::new(), 0.0);
-    let line = match Window::around(toolpath, stop, back).ok_or(ResumeFault::NothingLeft)? {
+    let line = match Window::new(toolpath, stop, back).ok_or(ResumeFault::NothingLeft)? {
         Next::Within(window) => {
-            let (from, line) = approach(toolpath, &window, (window.done - wanted).max(0.0), &mut way)?;
-            overlap = window.done - from;
+            let (start, line) =
+                approach(toolpath, &window, (window.done - least_overlap).max(0.0), &mut way)?;
+            overlap = window.done - start;
             line
         }
         // Away from the fabric the next seam begins as planned.
         Next::Travel(line) => line,
     };
-    let done = stop.done;
-    let note = format!("resume: from_line={} overlap_mm={overlap:.3} percent={:.1}", line + 1, 100.0 * done);
+    let share = stop.done;
+    let note = format!("resume: from_line={} overlap_mm={overlap:.3} percent={:.1}", line + 1, 100.0 * share);
     let note = record.comment(&note);
     // A draft with the old figures gives the new ones.
     let draft = assembled(toolpath, &note, &way, line, None);
@@ -95,7 +96,7 @@ fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resume
     if let Some(finding) = judge::first_fault(record, &text, &toolpath.reach) {
         return Err(ResumeFault::Unproven(finding));
     }
-    Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
+    Ok(Resumed { text, line: line + 1, overlap, done: share, seconds: figures.seconds })
 }
 
 /// The first move of the sealing program `text` that meets one of `clamps`.
@@ -108,13 +109,13 @@ pub fn clamp_in_the_way(text: &str, clamps: &[KeepOut]) -> Result<Option<Finding
     Ok(judge_clamps(clamps, record.seal.band.0 / 2.0, lines, record.dialect()))
 }
 
-/// Writes the path back to `from` (mm along the seam's run) into `out`, and the rest of the move that contains it. Returns the place where
-/// the seam continues, and the index of the next old line.
+/// Writes the path back to `from` (mm along the seam's run) into `added_lines`, and the rest of the move that contains it. Returns the
+/// place where the seam continues, and the index of the next old line.
 fn approach(
     toolpath: &Toolpath<'_>,
     window: &Window,
     from: f64,
-    out: &mut String,
+    added_lines: &mut String,
 ) -> Result<(f64, usize), ResumeFault> {
     let record = toolpath.record;
     let Process { heights, ramp, .. } = &record.process;
@@ -137,12 +138,12 @@ fn approach(
         Step::Seal(rest),
     ];
     if let Some(title) = &window.title {
-        out.push_str(title);
-        out.push('\n');
+        added_lines.push_str(title);
+        added_lines.push('\n');
     }
-    out.push_str(&emit::steps_text(record.facts(stated), &steps, stated.pace, start));
+    added_lines.push_str(&emit::steps_text(record.facts(stated), &steps, stated.pace, start));
     // The dwells of the old move belong to it, and have been written again with its rest.
-    Ok((from, toolpath.after(last)))
+    Ok((from, toolpath.line_after_dwells(last)))
 }
 
 /// The shortest path, mm, after which a chopped program stops in any case; 0 for a steady one.
@@ -156,21 +157,21 @@ fn least_rest(stated: &StatedProcess) -> f64 {
     }
 }
 
-/// The new file: the lines before the first heating with a note, the heating in force, the path back, the rest from the line of index `from`, its first move with its
-/// feed, and a last line with counts. With `figures` it states its own length and time.
+/// The new file: the lines before the first heating with a note, the heating in force, the path back, the rest from the line of index
+/// `first_line`, its first move with its feed, and a last line with counts. With `figures` it states its own length and time.
 fn assembled(
     toolpath: &Toolpath<'_>,
     note: &str,
     way: &str,
-    from: usize,
+    first_line: usize,
     figures: Option<&Figures>,
 ) -> String {
-    let (first, record, text) = (with_feed(toolpath, from), toolpath.record, toolpath.text);
-    let mut out = String::with_capacity(text.len() + way.len() + 200);
+    let (first, record, text) = (with_feed(toolpath, first_line), toolpath.record, toolpath.text);
+    let mut program = String::with_capacity(text.len() + way.len() + 200);
     let mut count = 1;
     let mut add = |line: &str| {
-        out.push_str(line);
-        out.push('\n');
+        program.push_str(line);
+        program.push('\n');
         count += 1;
     };
     let mut restate = |line: &str| match figures {
@@ -178,7 +179,7 @@ fn assembled(
         None => add(line),
     };
     // The head up to the first heating, and the heating that is in force where the job goes on.
-    let heating = toolpath.heating_before(from);
+    let heating = toolpath.heating_before(first_line);
     let head = text.lines().take(toolpath.cold);
     let heating = text.lines().take(heating.end).skip(heating.start);
     for (line, i) in head.chain(heating).zip(0..) {
@@ -189,13 +190,13 @@ fn assembled(
         restate(line);
     }
     way.lines().for_each(&mut restate);
-    for (line, i) in text.lines().zip(0..).take(toolpath.lines.saturating_sub(1)).skip(from) {
+    for (line, i) in text.lines().zip(0..).take(toolpath.lines.saturating_sub(1)).skip(first_line) {
         match &first {
             Some((at, with_feed)) if *at == i => restate(with_feed),
             _ => restate(line),
         }
     }
-    out.push_str(&record.comment(&format!("end of program, {count} lines")));
-    out.push('\n');
-    out
+    program.push_str(&record.comment(&format!("end of program, {count} lines")));
+    program.push('\n');
+    program
 }

@@ -186,19 +186,19 @@ impl Header {
     }
 
     fn find(&self, key: &'static str) -> Result<&Comment, ResumeFault> {
-        self.all(key).next().ok_or(ResumeFault::NotOurs(key))
+        self.comments(key).next().ok_or(ResumeFault::NotOurs(key))
     }
 
     /// The value of a word; a line without space for it continues in the next one under the same key.
     fn word(&self, key: &'static str, word: &str) -> Option<&str> {
-        self.all(key).find_map(|comment| comment.word(word))
+        self.comments(key).find_map(|comment| comment.word(word))
     }
 
     fn number(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
-        self.all(key).find_map(|comment| comment.number(word)).ok_or(ResumeFault::NotOurs(key))
+        self.comments(key).find_map(|comment| comment.number(word)).ok_or(ResumeFault::NotOurs(key))
     }
 
-    fn all(&self, key: &'static str) -> impl Iterator<Item = &Comment> {
+    fn comments(&self, key: &'static str) -> impl Iterator<Item = &Comment> {
         self.0.iter().filter(move |comment| comment.key() == Some(key))
     }
 
@@ -207,7 +207,7 @@ impl Header {
     }
 
     /// A number of a chopped program, within the range that the program writes; strokes of zero length would never end.
-    fn within(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
+    fn written_number(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
         let x = self.number(key, word)?;
         if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
     }
@@ -255,7 +255,7 @@ impl Header {
 
     /// The place of the sheet; programs in the sheet's frame state none.
     fn place(&self) -> Result<SheetPlace, ResumeFault> {
-        if self.all("place").next().is_none() {
+        if self.comments("place").next().is_none() {
             return Ok(SheetPlace::default());
         }
         let side = |word| self.length("place", word);
@@ -296,13 +296,13 @@ impl Header {
     /// The processes that the header lists, each with the facts of its own; others are those of `default`.
     fn processes(&self, default: &StatedProcess) -> Result<Vec<StatedProcess>, ResumeFault> {
         let mut names: Vec<&str> =
-            self.all("process").filter_map(|comment| comment.word("process")).collect();
+            self.comments("process").filter_map(|comment| comment.word("process")).collect();
         names.dedup();
         names.into_iter().map(|name| self.stated_process(name, default)).collect()
     }
 
     fn stated_process(&self, name: &str, default: &StatedProcess) -> Result<StatedProcess, ResumeFault> {
-        let of_process = || self.all("process").filter(|comment| comment.word("process") == Some(name));
+        let of_process = || self.comments("process").filter(|comment| comment.word("process") == Some(name));
         let number = |word: &str| of_process().find_map(|comment| comment.number(word));
         let stated = |word: &str| number(word).ok_or(ResumeFault::NotOurs("process"));
         let seal = Seal {
@@ -336,7 +336,9 @@ impl Header {
             let place = processes.iter().position(|stated| stated.name == name)?;
             Some((comment.number("seam")?.to_bits(), place))
         };
-        self.all("sealing").map(|comment| place(comment).ok_or(ResumeFault::NotOurs("sealing"))).collect()
+        self.comments("sealing")
+            .map(|comment| place(comment).ok_or(ResumeFault::NotOurs("sealing")))
+            .collect()
     }
 
     fn motion(&self) -> Result<Motion, ResumeFault> {
@@ -345,19 +347,19 @@ impl Header {
         }
         let mut motion = Motion::UNKNOWN;
         if self.find("chop-steps").is_ok() {
-            let steps = |axis| self.within("chop-steps", axis);
+            let steps = |axis| self.written_number("chop-steps", axis);
             motion.steps_per_mm = Some([steps("x")?, steps("y")?, steps("z")?]);
-            motion.step_rate = StepRate::AtLeast(self.within("chop-ticks", "rate_Hz")?);
+            motion.step_rate = StepRate::AtLeast(self.written_number("chop-ticks", "rate_Hz")?);
             motion.tick = Some(Duration(self.tick()?));
             motion.wraps = self.dialect()?.timer_wraps();
             // Older programs do not contain them.
             let first = self.number("chop-moves", "first_Hz").ok();
             motion.first_step_rate = first.filter(|rate| (1e-3..=1e5).contains(rate));
-            let least = self.number("chop-moves", "least_steps");
-            motion.min_move_steps = least.map_or(0.0, |steps| steps.clamp(0.0, 100.0));
+            let least_steps = self.number("chop-moves", "least_steps");
+            motion.min_move_steps = least_steps.map_or(0.0, |steps| steps.clamp(0.0, 100.0));
         }
-        motion.chop_feed = Some(Speed(self.within("chop", "feed_mm_min")? / 60.0));
-        motion.acceleration = Some(Acceleration(self.within("chop-rest", "acceleration_mm_s2")?));
+        motion.chop_feed = Some(Speed(self.written_number("chop", "feed_mm_min")? / 60.0));
+        motion.acceleration = Some(Acceleration(self.written_number("chop-rest", "acceleration_mm_s2")?));
         // Older programs do not contain it.
         let delay = self.number("chop-start", "delay_s");
         motion.start_delay = Duration(delay.map_or(0.0, |delay| delay.clamp(0.0, 1.0)));
@@ -368,19 +370,20 @@ impl Header {
         let (Some(speed), Some(acceleration)) = (motion.chop_feed, motion.acceleration) else {
             return Ok(Pace::Steady);
         };
-        let least = motion.least_move();
-        let (band, seal_speed) = (self.within("seal", "band_mm")?, self.within("seal", "speed_mm_s")?);
+        let least_move = motion.least_move();
+        let (band, seal_speed) =
+            (self.written_number("seal", "band_mm")?, self.written_number("seal", "speed_mm_s")?);
         Ok(Pace::Chopped(Chop {
-            least,
+            least: least_move,
             file: Precision {
                 path: self.length("path", "tolerance_mm")?,
                 arcs: self.word("machine", "arcs") == Some("yes"),
             },
             speed: speed.0,
-            longest: self.within("chop", "longest_mm")?,
+            longest: self.written_number("chop", "longest_mm")?,
             acceleration: acceleration.0,
             step: self.number("chop-rest", "step_s")?,
-            rest: (band / 10.0).max(2.0 * least) / seal_speed,
+            rest: (band / 10.0).max(2.0 * least_move) / seal_speed,
             start_delay: motion.start_delay.0,
             stepper: stepper(motion),
         }))

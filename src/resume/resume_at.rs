@@ -38,10 +38,15 @@ pub(super) struct StopPoint {
 
 impl StopPoint {
     /// The place at this fraction of a move of `toolpath`, 0 to 1.
-    fn new(toolpath: &Toolpath<'_>, at: &TimedMove, fraction: f64) -> Self {
-        let length = if at.phase == Phase::Contact { at.step.length() } else { 0.0 };
-        let done = toolpath.share_at(at.begins + fraction * at.seconds);
-        Self { line: at.step.line, phase: at.phase, along: at.along + fraction * length, done }
+    fn new(toolpath: &Toolpath<'_>, timed_move: &TimedMove, fraction: f64) -> Self {
+        let length = if timed_move.phase == Phase::Contact { timed_move.step.length() } else { 0.0 };
+        let share = toolpath.share_at(timed_move.begins + fraction * timed_move.seconds);
+        Self {
+            line: timed_move.step.line,
+            phase: timed_move.phase,
+            along: timed_move.along + fraction * length,
+            done: share,
+        }
     }
 }
 
@@ -56,33 +61,36 @@ impl ResumeAt {
             Self::Share(share) if share < toolpath.share_at(0.0) - SHOWN => {
                 Err(ResumeFault::BeforeStart(toolpath.share_at(0.0)))
             }
-            Self::Share(share) => after(toolpath, toolpath.time_at(share)),
+            Self::Share(share) => place_after(toolpath, toolpath.time_at(share)),
             Self::Time(time) => {
                 // The first travel is no part of the moves' times: too early is safe, too late leaves a gap.
                 let lead = toolpath.stated.map_or(0.0, |stated| (stated - toolpath.seconds).max(0.0));
-                after(toolpath, (time - lead).max(0.0))
+                place_after(toolpath, (time - lead).max(0.0))
             }
-            Self::Near(point) => near(toolpath, point),
+            Self::Near(point) => place_near(toolpath, point),
         }
     }
 }
 
 /// The place `time` s after the first travel.
-fn after(toolpath: &Toolpath<'_>, time: f64) -> Result<StopPoint, ResumeFault> {
+fn place_after(toolpath: &Toolpath<'_>, time: f64) -> Result<StopPoint, ResumeFault> {
     first(toolpath, |step| {
         let fraction = if step.seconds > 0.0 { (time - step.begins) / step.seconds } else { 0.0 };
         (step.begins + step.seconds > time).then_some(fraction.clamp(0.0, 1.0))
     })
 }
 
-/// The first move for which `at` returns a fraction; the job stopped there.
-fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<StopPoint, ResumeFault> {
-    let stop = toolpath.moves().find_map(|step| Some(StopPoint::new(toolpath, &step, at(&step)?)));
+/// The first move for which `fraction_of` returns a fraction; the job stopped there.
+fn first(
+    toolpath: &Toolpath<'_>,
+    fraction_of: impl Fn(&TimedMove) -> Option<f64>,
+) -> Result<StopPoint, ResumeFault> {
+    let stop = toolpath.moves().find_map(|step| Some(StopPoint::new(toolpath, &step, fraction_of(&step)?)));
     stop.ok_or(ResumeFault::NothingLeft)
 }
 
 /// The place in contact that is nearest to `point`.
-fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<StopPoint, ResumeFault> {
+fn place_near(toolpath: &Toolpath<'_>, point: Point) -> Result<StopPoint, ResumeFault> {
     let mut best: Option<(f64, StopPoint)> = None;
     for step in toolpath.moves().filter(|step| step.phase == Phase::Contact) {
         let Some(path) = step.step.path else { continue };

@@ -76,7 +76,7 @@ impl<'a> StatedFigures<'a> {
             .filter(|comment| comment.key() == Some("seam"))
             .filter_map(|comment| Some((comment.line - 1, comment.number("seam")?.to_bits())))
             .collect();
-        let mut out = Self {
+        let mut figures = Self {
             toolpath,
             comments,
             seams: titles.values().map(|number| (*number, WalkedSeam::default())).collect(),
@@ -88,34 +88,34 @@ impl<'a> StatedFigures<'a> {
         let acceleration = record.stroke_acceleration().unwrap_or(LEAST_ACCELERATION);
         // From rest to rest a way takes at most so much longer than at full speed.
         let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
-        let mut before = None;
+        let mut last_step = None;
         for step in toolpath.moves() {
-            if before.is_none() {
+            if last_step.is_none() {
                 // Every job begins at X0 Y0. The way from there is no move, because a program does not know where the iron is.
                 let way = libm::hypot(step.step.from.x, step.step.from.y);
-                out.travels[1] += way / record.process.travel_speed.0 + starting(way);
+                figures.travels[1] += way / record.process.travel_speed.0 + starting(way);
             }
-            let begins = before.is_none_or(|phase| phase == Phase::Clear) && step.phase != Phase::Clear;
-            before = Some(step.phase);
+            let begins = last_step.is_none_or(|phase| phase == Phase::Clear) && step.phase != Phase::Clear;
+            last_step = Some(step.phase);
             if begins {
-                out.contacts += 1.0;
+                figures.contacts += 1.0;
             }
             if step.phase == Phase::Clear {
-                let [least, most] = &mut out.travels;
-                *least += step.even / DIAGONAL;
-                *most += step.even + starting(step.step.length());
+                let [shortest, longest] = &mut figures.travels;
+                *shortest += step.even / DIAGONAL;
+                *longest += step.even + starting(step.step.length());
                 continue;
             }
-            if out.all.length == 0.0 {
-                out.ahead = step.begins + if step.phase == Phase::Contact { 0.0 } else { step.seconds };
+            if figures.all.length == 0.0 {
+                figures.ahead = step.begins + if step.phase == Phase::Contact { 0.0 } else { step.seconds };
             }
             let number = step.title.and_then(|title| titles.get(&title));
-            if let Some(seam) = number.and_then(|number| out.seams.get_mut(number)) {
+            if let Some(seam) = number.and_then(|number| figures.seams.get_mut(number)) {
                 seam.add(&step, record.path.0);
             }
-            out.all.add(&step, record.path.0);
+            figures.all.add(&step, record.path.0);
         }
-        out
+        figures
     }
 
     fn first_fault(&self) -> Option<Finding> {
@@ -142,13 +142,15 @@ impl<'a> StatedFigures<'a> {
 
     /// What the comment about the whole program should state.
     fn wrong_total(&self, comment: &Comment) -> Option<String> {
-        let (all, contacts) = (&self.all, self.contacts.max(1.0));
-        let off = (all.chords + LENGTH * contacts) / self.speed() + SCHEDULE * contacts;
-        let off = if self.toolpath.record.joins_moves() { off + JOINED * all.seconds } else { off };
-        let [least, most] = self.travels.map(|travels| all.seconds + travels);
+        let (walked, contacts) = (&self.all, self.contacts.max(1.0));
+        let tolerance = (walked.chords + LENGTH * contacts) / self.speed() + SCHEDULE * contacts;
+        let tolerance =
+            if self.toolpath.record.joins_moves() { tolerance + JOINED * walked.seconds } else { tolerance };
+        let [shortest, longest] = self.travels.map(|travels| walked.seconds + travels);
         // The accelerations of a rest are those of the whole job; its time is proven with the job's.
-        let most = if self.toolpath.job.is_some() { f64::INFINITY } else { most + off };
-        wrong_length(comment, all, contacts).or_else(|| wrong_time(comment, [least - off, most]))
+        let longest = if self.toolpath.job.is_some() { f64::INFINITY } else { longest + tolerance };
+        wrong_length(comment, walked, contacts)
+            .or_else(|| wrong_time(comment, [shortest - tolerance, longest]))
     }
 
     /// What the comment about the whole job should state, of which this program is the rest.
@@ -183,14 +185,14 @@ impl<'a> StatedFigures<'a> {
 
 /// The length that was walked instead of a stated one, for so many `seams`.
 fn wrong_length(comment: &Comment, walked: &WalkedSeam, seams: f64) -> Option<String> {
-    let off = comment.number("length_mm")? - walked.length;
-    let is_there = (-LENGTH * seams..=LENGTH * seams + walked.chords).contains(&off);
+    let excess = comment.number("length_mm")? - walked.length;
+    let is_there = (-LENGTH * seams..=LENGTH * seams + walked.chords).contains(&excess);
     (!is_there).then(|| format!("length_mm={:.3}", walked.length))
 }
 
 /// The possible times instead of a stated one, s.
-fn wrong_time(comment: &Comment, [least, most]: [f64; 2]) -> Option<String> {
+fn wrong_time(comment: &Comment, [shortest, longest]: [f64; 2]) -> Option<String> {
     let time = comment.number("time_s")?;
-    let most_in_words = if most.is_finite() { format!(" to {most:.0}") } else { " or more".to_owned() };
-    (!(least..=most).contains(&time)).then(|| format!("time_s={least:.0}{most_in_words}"))
+    let most_in_words = if longest.is_finite() { format!(" to {longest:.0}") } else { " or more".to_owned() };
+    (!(shortest..=longest).contains(&time)).then(|| format!("time_s={shortest:.0}{most_in_words}"))
 }

@@ -185,8 +185,8 @@ impl<'a> Toolpath<'a> {
 
     /// The lines of the heating that is in force in the line of index `line`.
     pub(super) fn heating_before(&self, line: usize) -> Range<usize> {
-        let before = self.heatings.iter().rfind(|heating| heating.end <= line);
-        before.or(self.heatings.first()).cloned().unwrap_or_default()
+        let heating = self.heatings.iter().rfind(|heating| heating.end <= line);
+        heating.or(self.heatings.first()).cloned().unwrap_or_default()
     }
 
     /// Time of its travels, s, where the controller accelerates them by `acceleration`, mm/s^2; `None`: at speed at once.
@@ -201,20 +201,20 @@ impl<'a> Toolpath<'a> {
     }
 
     /// Time of the whole job, of which this program may be the rest, s, without its first travel.
-    fn whole(&self) -> f64 {
-        let whole = self.job.zip(self.stated).map(|(job, stated)| job - stated + self.seconds);
-        whole.filter(|whole| *whole > 0.0).unwrap_or(self.seconds)
+    fn whole_time(&self) -> f64 {
+        let job_time = self.job.zip(self.stated).map(|(job, stated)| job - stated + self.seconds);
+        job_time.filter(|job_time| *job_time > 0.0).unwrap_or(self.seconds)
     }
 
     /// The time of this program, s, at which `share` of the whole job is over; the start of the program if it begins a little later.
     pub(super) fn time_at(&self, share: f64) -> f64 {
         // The end of both is the same, and a rest seals an overlap again.
-        (self.seconds - (1.0 - share) * self.whole()).max(0.0)
+        (self.seconds - (1.0 - share) * self.whole_time()).max(0.0)
     }
 
     /// The fraction of the whole job, 0 to 1, that is over at `time` of this program, s.
     pub(super) fn share_at(&self, time: f64) -> f64 {
-        (1.0 - (self.seconds - time) / self.whole()).clamp(0.0, 1.0)
+        (1.0 - (self.seconds - time) / self.whole_time()).clamp(0.0, 1.0)
     }
 
     /// One move after the other.
@@ -228,7 +228,7 @@ impl<'a> Toolpath<'a> {
         std::iter::from_fn(move || {
             for (i, line) in lines.by_ref() {
                 interpreter.feed(line, &mut events);
-                let mut done = None;
+                let mut share = None;
                 for event in events.drain(..) {
                     match event {
                         Event::Comment(comment) if comment.key() == Some("seam") => {
@@ -241,7 +241,7 @@ impl<'a> Toolpath<'a> {
                         Event::Move(step) => {
                             let timed = self.timed(step, last.as_ref(), stated);
                             let begins = timed.begins + std::mem::take(&mut wait);
-                            done = last.replace(TimedMove { begins, title, ..timed });
+                            share = last.replace(TimedMove { begins, title, ..timed });
                         }
                         Event::Dwell(dwell) => {
                             if let Some(last) = &mut last {
@@ -251,22 +251,22 @@ impl<'a> Toolpath<'a> {
                         _ => {}
                     }
                 }
-                if done.is_some() {
-                    return done;
+                if share.is_some() {
+                    return share;
                 }
             }
             last.take()
         })
     }
 
-    fn timed(&self, step: Move, before: Option<&TimedMove>, stated: &StatedProcess) -> TimedMove {
+    fn timed(&self, step: Move, last_move: Option<&TimedMove>, stated: &StatedProcess) -> TimedMove {
         let record = self.record;
         let (travel, contact) = (record.process.heights.travel.0, stated.contact(&record.process).0);
         let phase = Phase::new(&step, travel, contact);
-        let along = before
+        let distance = last_move
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
-        let begins = before.map_or(0.0, |b| b.begins + b.seconds);
+        let begins = last_move.map_or(0.0, |b| b.begins + b.seconds);
         let even = match step.feed {
             _ if phase != Phase::Clear => step.length() / stated.seal.speed.0,
             Some(feed) => step.length() / feed * 60.0,
@@ -276,7 +276,7 @@ impl<'a> Toolpath<'a> {
             Some(_) if phase == Phase::Clear => {
                 let limits = self.limits(self.acceleration);
                 // Between two travels the iron may not stop.
-                let joined = before.filter(|b| b.phase == Phase::Clear).map(|b| way(&b.step));
+                let joined = last_move.filter(|b| b.phase == Phase::Clear).map(|b| way(&b.step));
                 match joined {
                     Some(last) => limits.seconds(&[last, way(&step)]) - limits.seconds(&[last]),
                     None => limits.seconds(&[way(&step)]),
@@ -284,8 +284,8 @@ impl<'a> Toolpath<'a> {
             }
             _ => even,
         };
-        let along = if phase == Phase::Clear { 0.0 } else { along };
-        TimedMove { step, phase, along, begins, seconds, even, rests: false, title: None }
+        let distance = if phase == Phase::Clear { 0.0 } else { distance };
+        TimedMove { step, phase, along: distance, begins, seconds, even, rests: false, title: None }
     }
 
     /// The line of this index.
@@ -294,7 +294,7 @@ impl<'a> Toolpath<'a> {
     }
 
     /// Index of the first line after `line` (from 1) that is not a dwell.
-    pub(super) fn after(&self, line: usize) -> usize {
+    pub(super) fn line_after_dwells(&self, line: usize) -> usize {
         let dwells = self.text.lines().skip(line).take_while(|text| text.starts_with("G4"));
         line + dwells.count()
     }

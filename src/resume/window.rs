@@ -30,7 +30,7 @@ pub(super) struct Window {
 
 impl Window {
     /// The moves around `stop`, from `back` mm before it; `None` if nothing is left.
-    pub(super) fn around(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
+    pub(super) fn new(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
         // On the way up all of the seam has been sealed, overlap and all: the next one follows.
         let in_contact = stop.phase == Phase::Contact;
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
@@ -102,17 +102,18 @@ impl Window {
         self.steps.iter().filter(|step| step.phase == Phase::Contact)
     }
 
-    /// The last place at or before `from`, mm along the run, at which the iron stops: the start of the run, or a dwell.
-    pub(super) fn stop_before(&self, from: f64) -> Option<(f64, usize)> {
+    /// The last place at or before `place`, mm along the run, at which the iron stops: the start of the run, or a dwell.
+    pub(super) fn stop_before(&self, place: f64) -> Option<(f64, usize)> {
         let begins = self.down().last().map(|step| (0.0, step.step.line));
         let stops = self.contact().filter(|step| step.rests);
         let ends = stops.map(|step| (step.along + step.flat(), step.step.line));
-        begins.into_iter().chain(ends).take_while(|(end, _)| *end <= from + 1e-6).last()
+        begins.into_iter().chain(ends).take_while(|(end, _)| *end <= place + 1e-6).last()
     }
 
-    /// The moves from the stop at `from`, mm along the run, to the next one, and the line of the last; `None` if it lies beyond the window.
-    pub(super) fn run_from(&self, from: f64) -> Option<(Vec<Segment>, usize)> {
-        let mut moves = self.contact().skip_while(|step| step.along < from - 1e-6);
+    /// The moves from the stop at `place`, mm along the run, to the next one, and the line of the last; `None` if it lies beyond the
+    /// window.
+    pub(super) fn run_from(&self, place: f64) -> Option<(Vec<Segment>, usize)> {
+        let mut moves = self.contact().skip_while(|step| step.along < place - 1e-6);
         let mut pieces = Vec::new();
         let end = moves.find(|step| {
             pieces.extend(step.step.path);
@@ -121,33 +122,33 @@ impl Window {
         Some((pieces, end.step.line))
     }
 
-    /// The ramp down along the seam that ends at `from`; `ramp` is its length.
-    pub(super) fn way_down(&self, from: f64, ramp: f64) -> Vec<Segment> {
+    /// The ramp down along the seam that ends at `place`; `ramp` is its length.
+    pub(super) fn way_down(&self, place: f64, ramp: f64) -> Vec<Segment> {
         let begins = self.begins();
-        self.track().part((from - ramp - begins).max(0.0), from - begins).segments
+        self.track().part((place - ramp - begins).max(0.0), place - begins).segments
     }
 
     fn track(&self) -> Path {
         Path::open(self.steps.iter().filter_map(|step| step.step.path).collect())
     }
 
-    /// The rest of the move that contains `from`, and the line of that move. The rest is at least `least` long, if necessary with the next
-    /// move, because the old lines begin at a stop.
-    pub(super) fn rest_from(&self, from: f64, least: f64) -> Option<(Vec<Segment>, usize)> {
+    /// The rest of the move that contains `place`, and the line of that move. The rest is at least `least_length` long, if necessary with
+    /// the next move, because the old lines begin at a stop.
+    pub(super) fn rest_from(&self, place: f64, least_length: f64) -> Option<(Vec<Segment>, usize)> {
         // A remainder of a move within rounding is ignored; the next move is used instead.
-        let beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
-        let within = beyond(from + least.max(1e-6)).or_else(|| beyond(from + 1e-6));
-        let last = within.or_else(|| self.contact().last())?;
+        let move_beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
+        let last_move = move_beyond(place + least_length.max(1e-6)).or_else(|| move_beyond(place + 1e-6));
+        let last = last_move.or_else(|| self.contact().last())?;
         let begins = self.begins();
-        let part = |step: &TimedMove| self.track().part(from - begins, step.along + step.flat() - begins);
-        Some((within.map_or(Vec::new(), |step| part(step).segments), last.step.line))
+        let part = |step: &TimedMove| self.track().part(place - begins, step.along + step.flat() - begins);
+        Some((last_move.map_or(Vec::new(), |step| part(step).segments), last.step.line))
     }
 }
 
-/// The first feed move at or after the line of index `from`, with the feed in force there: its index and text; `None` if it has its own
+/// The first feed move at or after the line of index `line`, with the feed in force there: its index and text; `None` if it has its own
 /// feed.
-pub(super) fn with_feed(toolpath: &Toolpath<'_>, from: usize) -> Option<(usize, String)> {
-    let is_next = |step: &TimedMove| step.step.line > from && step.step.kind == MoveKind::Feed;
+pub(super) fn with_feed(toolpath: &Toolpath<'_>, line: usize) -> Option<(usize, String)> {
+    let is_next = |step: &TimedMove| step.step.line > line && step.step.kind == MoveKind::Feed;
     let step = toolpath.moves().find(is_next)?.step;
     let text = toolpath.line(step.line - 1).filter(|text| !text.contains(['F', ';', '(']))?;
     Some((step.line - 1, format!("{} F{}", text.trim_end(), Decimals::exactly(9).text(step.feed?))))

@@ -30,7 +30,7 @@ fn the_air_of_a_picture_is_open_at_its_ports() {
     let dir = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
     let text = fs::read_to_string(dir.join("hand-rest.toml")).expect("shipped");
     let build = build_drawn(&text, &fs::read(dir.join("hand-rest.svg")).expect("shipped")).expect("makeable");
-    let piece = &build.forecast.design.drawn().expect("a drawing").pieces[0];
+    let piece = &build.forecast.design.drawn_pieces().expect("a drawing").pieces[0];
     let air = piece.edges.iter().fold(Bounds::EMPTY, |all, edge| all.union(edge.bounds()));
     let (closed, cut) = (piece.air[0].bounds(), piece.part.outside.bounds());
     // A port on the left and one on the right.
@@ -264,7 +264,7 @@ fn colours_texts_and_a_missing_unit_of_a_dxf_are_told() {
     let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.dxf\"\nunits = \"mm\"\npassage = \"5 mm\"\n[drawing.layers]\n\
         air = [\"color 5\"]\nport = [\"color 1\"]\nignore = [\"Notes\"]\n";
     let result = build_drawn(text, dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let piece = &result.forecast.design.drawn().expect("a drawing").pieces[0];
+    let piece = &result.forecast.design.drawn_pieces().expect("a drawing").pieces[0];
     assert_eq!((piece.shape.ports.len(), piece.passage, piece.least_passage), (1, None, 5.0));
 }
 
@@ -279,7 +279,7 @@ fn holes_and_labels_lie_on_the_flap() {
         let bytes = fs::read(folder.join(format!("{name}.{file}"))).expect("a drawing");
         let result = build_drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
         assert_eq!(result.forecast.design.warnings, [], "{name}");
-        let piece = &result.forecast.design.drawn().expect("a drawing").pieces[0];
+        let piece = &result.forecast.design.drawn_pieces().expect("a drawing").pieces[0];
         let (band, air) = (piece.shape.band, Enclosures::new(&piece.edges));
         let clear = |p: Point, from_band: f64, from_cut: f64| {
             let seams = piece.shape.seams.iter().map(|seam| seam.center_line.distance(p) - 0.5 * band);
@@ -324,8 +324,9 @@ fn a_valve_is_cut_out_of_one_sheet() {
         assert!(ending != "svg" || valves.contains("A2.8 2.8"), "{valves}");
     }
     // Two sheets, one of them with a hole of 6 mm: 1 g is 1000 mm^2.
-    let piece =
-        stargrip_cam::design::FlatPiece::Drawn(&built.forecast.design.drawn().expect("a drawing").pieces[0]);
+    let piece = stargrip_cam::design::FlatPiece::Drawn(
+        &built.forecast.design.drawn_pieces().expect("a drawing").pieces[0],
+    );
     let outline = 120.0 * 80.0 - (4.0 - std::f64::consts::PI) * 100.0;
     let area = 2.0 * outline - 9.0 * std::f64::consts::PI;
     assert!((piece.fabric() - area).abs() < 1e-6, "{} {area}", piece.fabric());

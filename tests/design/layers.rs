@@ -15,7 +15,7 @@ fn proposed(name: &str, text: &str) -> Vec<(String, LayerRole)> {
     let design = Design::new(&spec, &support::machine());
     let design = design.unwrap_or_else(|refusals| panic!("{name}: {:?}: {refusals}", proposal.layers));
     let ports = design
-        .drawn()
+        .drawn_pieces()
         .map_or(0, |drawn| drawn.pieces.iter().map(|piece| piece.shape.ports.len()).sum::<usize>());
     assert!(ports > 0, "{name}: no port");
     proposal.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
@@ -219,7 +219,8 @@ fn points_and_texts_beside_edges_are_left_out() {
         let reading =
             spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
         let spec = reading.with_drawing(text.as_bytes()).spec;
-        Design::new(&spec, &support::machine()).map(|design| design.drawn().map(|piece| piece.notes.clone()))
+        Design::new(&spec, &support::machine())
+            .map(|design| design.drawn_pieces().map(|piece| piece.notes.clone()))
     };
     let notes = check(&text, "air = [\"0\"]\nport = [\"hose\"]").expect("a design").expect("a drawing");
     let counts = |word: &str| notes.iter().filter(|note| note.contains(word)).count();
@@ -353,7 +354,7 @@ fn names_decide_before_colours() {
             let spec = with_layers(text, layers);
             let design = Design::new(&spec, &support::machine());
             let design = design.unwrap_or_else(|refusals| panic!("{layers}: {refusals}"));
-            let pieces = &design.drawn().expect("a drawing").pieces;
+            let pieces = &design.drawn_pieces().expect("a drawing").pieces;
             assert_eq!((pieces.len(), pieces[0].shape.ports.len()), (1, 1), "{layers}");
             let notes = drawing_notes(&spec);
             let differs = notes.iter().any(|note| note.contains("not that of the colour \"#000000\""));

@@ -15,7 +15,7 @@ fn built(text: &str) -> (Built, Vec<String>) {
     let reading = spec::read(&Source::new("x.toml", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let reading = reading.with_drawing(include_bytes!("../../designs/drawings/pillow.dxf"));
     let sources = Sources { spec: text, machine: support::generic() };
-    let forecast = Forecast::of(reading.spec, support::machine()).expect("a design");
+    let forecast = Forecast::new(reading.spec, support::machine()).expect("a design");
     let codes = forecast.warnings(sources).iter().map(|warning| warning.code.to_string()).collect();
     let request =
         KindRequest { only: vec![Kind::PreviewSvg, Kind::PreviewPng, Kind::Report], with: Vec::new() };

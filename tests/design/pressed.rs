@@ -206,7 +206,7 @@ fn a_star_comes_back_from_its_own_seal_file() {
         let drawing = String::from_utf8(file.bytes.clone()).expect("text");
         let spec = read(&text, &drawing);
         let design = Design::new(&spec, &press()).unwrap_or_else(|refusals| panic!("{ending}: {refusals}"));
-        let (pieces, stars) = (&design.drawn().expect("drawn").pieces, &star.forecast.design);
+        let (pieces, stars) = (&design.drawn_pieces().expect("drawn").pieces, &star.forecast.design);
         assert_eq!(pieces.len(), 2, "{ending}");
         let part = stars.part(&stars.placed()[0]);
         for piece in pieces {

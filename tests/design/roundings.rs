@@ -33,7 +33,7 @@ fn piece(text: &str, file: &str, bytes: &[u8]) -> DrawnPiece {
     let reading = spec::read(&Source::new("again", &text)).unwrap_or_else(|faults| panic!("{faults}"));
     let design = Design::new(&reading.with_drawing(bytes).spec, &support::machine());
     let design = design.unwrap_or_else(|faults| panic!("{}", faults.to_string()));
-    design.drawn().expect("a drawing").pieces[0].clone()
+    design.drawn_pieces().expect("a drawing").pieces[0].clone()
 }
 
 /// The elements as an SVG of so many decimals, on layers of their own names.

@@ -37,7 +37,7 @@ fn of_text(text: &str, drawing: &[u8]) -> (Spec, DrawnPieces) {
     let spec = reading.with_drawing(drawing).spec;
     let machine = Machine::builtin("generic").expect("built in");
     let design = Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let pieces = design.drawn().expect("a drawing").clone();
+    let pieces = design.drawn_pieces().expect("a drawing").clone();
     (spec, pieces)
 }
 
@@ -189,7 +189,7 @@ fn a_star_drawn_as_a_region_is_the_star() {
     let found = chambers(&part.edges, &[], std::slice::from_ref(&part.outline.hole)).expect("chambers");
     let [chamber] = &found[..] else { panic!("{found:?}") };
     let case = FlatRegion {
-        chamber: chamber.by(1e3),
+        chamber: chamber.in_units(1e3),
         fabric,
         pressure,
         band,

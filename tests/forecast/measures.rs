@@ -40,7 +40,7 @@ fn drawing(air: &str, ports: &str, measures: &str, kilopascals: &str) -> Drawn {
     let spec = reading.with_drawing(svg.as_bytes()).spec;
     let design = Design::new(&spec, &Machine::builtin("generic").expect("built in"))
         .unwrap_or_else(|refusals| panic!("{refusals}"));
-    let pieces = design.drawn().expect("a drawing").clone();
+    let pieces = design.drawn_pieces().expect("a drawing").clone();
     Drawn { spec, pieces }
 }
 
@@ -136,7 +136,7 @@ fn bimorph(chambers: &str) -> Result<InflatedDrawing, ShellRefusal> {
     let spec = reading.with_drawing(svg.as_bytes()).spec;
     let design = Design::new(&spec, &Machine::builtin("generic").expect("built in"))
         .unwrap_or_else(|refusals| panic!("{refusals}"));
-    inflate(&spec, design.drawn().expect("a drawing"), Detail::Coarse, &Watch::default())
+    inflate(&spec, design.drawn_pieces().expect("a drawing"), Detail::Coarse, &Watch::default())
 }
 
 /// The angle between tip and base, and the turn of the tip, deg.

@@ -14,7 +14,7 @@ fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
     let result = MadeCoupons::new(spec, machine, sources, grid, &groups);
     let coupons = result.unwrap_or_else(|refusals| panic!("{}: {refusals}", machine.name));
     let proven = coupons.prove().unwrap_or_else(|findings| panic!("{}: {findings:#?}", machine.name));
-    proven.made().coupons.clone()
+    proven.made_coupons().coupons.clone()
 }
 
 #[test]

@@ -146,7 +146,7 @@ fn crumbs_under_a_ramp_do_no_harm() {
         for name in PROFILES {
             let built = sealed("crumbs.svg", &drawing, name);
             assert_eq!(built.proof().findings, [], "{name}, {crumb} mm");
-            let piece = &built.forecast.design.drawn().expect("a drawing").pieces[0];
+            let piece = &built.forecast.design.drawn_pieces().expect("a drawing").pieces[0];
             let weld = piece.shape.seams.iter().find(|seam| seam.name == "line").expect("the weld");
             // Straight on before its first long segment, which goes 40 mm to the right and 20 mm down.
             let direction = weld.lead_in(3.0).tangent_at(0.0).expect("a way");

@@ -14,6 +14,7 @@ mod laser;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;
+mod pouch;
 mod printer_lines;
 mod printers;
 mod processes;

@@ -16,7 +16,7 @@ pub struct Message {
 
 impl Message {
     /// An answer without files.
-    pub fn of(json: Value) -> Self {
+    pub fn from_json(json: Value) -> Self {
         Self { json, files: Vec::new() }
     }
 
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         assert_eq!(Message::from_bytes(&sample().into_bytes()), Ok(sample()));
-        let plain = Message::of(json!({ "ask": "start" }));
+        let plain = Message::from_json(json!({ "ask": "start" }));
         assert_eq!(Message::from_bytes(&plain.clone().into_bytes()), Ok(plain));
     }
 

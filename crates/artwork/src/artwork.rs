@@ -192,9 +192,9 @@ impl Place {
 
 /// The names in `layers`, in their order but for that of number `colour`, which is the last.
 fn colour_last(layers: &[String], colour: Option<usize>) -> impl Iterator<Item = &str> {
-    let others = layers.iter().enumerate().filter(move |(number, _)| Some(*number) != colour);
+    let other_names = layers.iter().enumerate().filter(move |(number, _)| Some(*number) != colour);
     let last = colour.and_then(|number| layers.get(number));
-    others.map(|(_, name)| name.as_str()).chain(last.map(String::as_str))
+    other_names.map(|(_, name)| name.as_str()).chain(last.map(String::as_str))
 }
 
 impl Note {

@@ -73,7 +73,7 @@ fn section_table_entry(bencher: Bencher, changing: &str) {
         larger = !larger;
         let of = |name, value: f64| if larger && name == changing { 1.01 * value } else { value };
         let scales = [of("1/eps", 330.0), of("t/W", 0.015), of("nu", 0.39)];
-        table.at(black_box(scales[0]), scales[1], scales[2], of("R*", 0.1)).expect("in range")
+        table.entry(black_box(scales[0]), scales[1], scales[2], of("R*", 0.1)).expect("in range")
     });
 }
 

@@ -52,7 +52,7 @@ impl StarAssembly {
         if let Some(bed) = spec.mask.bed {
             let _ = refusals.keep(divide_masks(&mut distinct, bed));
         }
-        refusals.or(())?;
+        refusals.or_value(())?;
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.process.ramp.0)).collect();
         let footprints: Vec<Bounds> = part_numbers.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet, machine)?;

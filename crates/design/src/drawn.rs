@@ -154,7 +154,7 @@ fn sealed_seams(
         }
         sealed.extend(refusals.keep(SeamLines::new(seam, &process)));
     }
-    refusals.or(sealed)
+    refusals.or_value(sealed)
 }
 
 /// The rules by which a sketch becomes a shape.
@@ -345,7 +345,7 @@ pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
 /// The sketch of `drawing` by its roles, its measures, and the notes on its repairs.
 fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, Vec<String>), Refusals> {
     let artwork = read(spec, drawing)?;
-    roles::refusals(&artwork, drawing).or(())?;
+    roles::refusals(&artwork, drawing).or_value(())?;
     let mut sketch = roles::sketch(&artwork, drawing);
     let own_seams = own_seal::complete(&mut sketch, &artwork, drawing, &rules(spec, drawing));
     if sketch.air.is_empty() && sketch.seams.is_empty() {

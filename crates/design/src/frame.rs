@@ -87,7 +87,7 @@ impl Frame {
             };
             refusals.push(meets_hose(frame.posts, (free, needed_room), &hoses, helps));
         }
-        refusals.or(Self {
+        refusals.or_value(Self {
             plates,
             posts,
             post_diameter: post,

@@ -111,7 +111,7 @@ impl MaskTiles {
     }
 
     /// The mask in one piece, for any bed.
-    pub(super) fn whole(mask: &MaskPlate) -> Self {
+    pub(super) fn one_piece(mask: &MaskPlate) -> Self {
         let bounds = mask.plate.bounds();
         Self::one_tile(mask, 0.0, [bounds.width(), bounds.height()])
     }

@@ -66,9 +66,10 @@ impl Paper {
 
     /// Width and height of what one page shows of a drawing, mm; of a large page as much as the drawing has.
     pub fn window(self) -> [f64; 2] {
-        let nothing = Drawing { origin: Origin::LowerLeft, width: 0.0, height: 0.0, layers: Vec::new() };
+        let empty_drawing =
+            Drawing { origin: Origin::LowerLeft, width: 0.0, height: 0.0, layers: Vec::new() };
         let area = Bounds { min: Point::ORIGIN, max: Point::ORIGIN };
-        let window = self.grid(&nothing, area, false).window;
+        let window = self.grid(&empty_drawing, area, false).window;
         [window.width(), window.height()]
     }
 

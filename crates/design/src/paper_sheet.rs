@@ -81,7 +81,7 @@ fn nested(
     let boxes: Vec<Bounds> = design.placed().iter().map(|piece| extent(design, piece)).collect();
     let too_large =
         design.firsts().filter_map(|first| too_large(first, &boxes[first.index - 1], paper, &sheet));
-    too_large.collect::<Refusals>().or(())?;
+    too_large.collect::<Refusals>().or_value(())?;
     Ok(place(&boxes, &sheet, &bare_machine)?)
 }
 
@@ -124,18 +124,18 @@ fn too_large(piece: &PlacedPart, bounds: &Bounds, paper: PaperSize, sheet: &Shee
         return None;
     }
     let size = |w: f64, h: f64| format!("{} x {} mm", Readable(w), Readable(h));
-    let (needed, margins) = ([bounds.width(), bounds.height()].map(tenths_up), 2.0 * MARGIN);
+    let (needed_sides, margins) = ([bounds.width(), bounds.height()].map(tenths_up), 2.0 * MARGIN);
     let [w, h] = paper.sides();
     let fault = format!(
         "the separator of {} with its registration holes needs {}; paper of {} has room for {}",
         piece.name(),
-        size(needed[0], needed[1]),
+        size(needed_sides[0], needed_sides[1]),
         size(w, h),
         size(width.max(0.0), height.max(0.0)),
     );
     let remedy = format!(
         "write paper = \"{}\" or larger, or delete `paper` to print on pages that are taped together",
-        size(needed[0] + margins, needed[1] + margins)
+        size(needed_sides[0] + margins, needed_sides[1] + margins)
     );
     Some(Refusal::new(key::press::PAPER, RefusalCode::SheetTooSmall, fault, remedy))
 }

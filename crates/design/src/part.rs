@@ -102,7 +102,7 @@ impl StarDesign {
                     ports: channel.iter().map(port).collect(),
                     valves: Vec::new(),
                 };
-                let tiles = MaskTiles::whole(&mask);
+                let tiles = MaskTiles::one_piece(&mask);
                 let air = air_of_star(&star, &realised_edges, channel.as_ref());
                 let separator = PaperSeparator::new(spec, &shape, &air)?;
                 Ok(Self {

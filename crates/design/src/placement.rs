@@ -205,16 +205,17 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
         (key::sheet::WIDTH, "wide", part.width(), on_sheet(sheet.width, sheet)),
         (key::sheet::HEIGHT, "high", part.height(), on_sheet(sheet.height, sheet)),
     ];
-    let short: Vec<_> = sides.into_iter().filter(|(_, _, needed, room)| needed > room).collect();
+    let short: Vec<_> =
+        sides.into_iter().filter(|(_, _, needed_length, room)| needed_length > room).collect();
     let Some((key, ..)) = short.first() else { return Ok(()) };
-    let faults = short.iter().map(|(_, word, needed, room)| {
+    let faults = short.iter().map(|(_, word, needed_length, room)| {
         // Rounded apart, so that the digits show the difference.
-        let (needed, room) = (Readable(tenths_up(*needed)), tenths_down(*room));
+        let (needed_length, room) = (Readable(tenths_up(*needed_length)), tenths_down(*room));
         let room = if room > 0.0 { format!("{} mm", Readable(room)) } else { "nothing".to_owned() };
-        format!("{needed} mm {word} where the margins leave {room}")
+        format!("{needed_length} mm {word} where the margins leave {room}")
     });
-    let remedy = short.iter().map(|(key, _, needed, _)| {
-        let smallest = Least(needed + 2.0 * sheet.margin.0);
+    let remedy = short.iter().map(|(key, _, needed_length, _)| {
+        let smallest = Least(needed_length + 2.0 * sheet.margin.0);
         format!("`{}` at least {smallest} mm", key.key())
     });
     let fault = format!("a part is {}", faults.collect::<Vec<_>>().join(", and one is "));

@@ -7,7 +7,7 @@ use crate::paper::Page;
 use crate::{CutEdge, Design, Drawing, Layer, Origin, Shape, separator};
 use geom::{Bounds, Path, Point, Vec2};
 use sealed::Tongue;
-use spec::units::{Readable, counted};
+use spec::units::{Readable, count_text};
 use spec::{PaperSize, Press, PressLayer, Spec};
 
 /// The instructions for the press of a spec.
@@ -68,7 +68,7 @@ impl PressPlan {
 
     /// "1 pressing of 10 s at 145 C and 2 bar"
     pub fn in_words(&self, press: &Press) -> String {
-        let number = counted(self.pressings, "pressing");
+        let number = count_text(self.pressings, "pressing");
         format!("{number} of {} at {} and {}", press.time, press.temperature, press.pressure_in_bar())
     }
 
@@ -76,9 +76,9 @@ impl PressPlan {
     pub fn page(&self, name: &str, design: &Design) -> Page {
         // Long instructions get smaller letters, so that all of them are on one page.
         let heights = [2.6, 2.3, 2.0, 1.8, LEAST_LETTERS];
-        let mut candidates = heights.iter().map(|height| self.written(name, *height));
+        let mut candidates = heights.iter().map(|height| self.strokes(name, *height));
         let fitting = candidates.find(|(_, bottom)| *bottom >= BORDER);
-        let (mut strokes, bottom) = fitting.unwrap_or_else(|| self.written(name, LEAST_LETTERS));
+        let (mut strokes, bottom) = fitting.unwrap_or_else(|| self.strokes(name, LEAST_LETTERS));
         strokes.extend(picture(design, bottom));
         let layers = vec![(Layer::PaperMark, vec![Shape::Figure(strokes)])];
         Page {
@@ -89,7 +89,7 @@ impl PressPlan {
     }
 
     /// The strokes of the text in letters `height` mm high, and the height of the last line on the page, mm.
-    fn written(&self, name: &str, height: f64) -> (Vec<Path>, f64) {
+    fn strokes(&self, name: &str, height: f64) -> (Vec<Path>, f64) {
         let mut rows = vec![
             (format!("Press plan: {name}"), 0.0, 1.5 * height),
             (self.settings.clone(), 0.0, 1.2 * height),
@@ -223,7 +223,7 @@ fn preparation(spec: &Spec, design: &Design, press: &Press) -> Vec<String> {
     };
     lines.push(format!(
         "Take {} of {size}: baking paper or silk paper, at most 0.1 mm thick. Punch the holes, then cut the windows, then around the separators, but for some bridges that keep the sheet whole.",
-        counted(papers, "sheet"),
+        count_text(papers, "sheet"),
     ));
     if is_nested {
         lines.push("Cut the paper apart between the separators: each keeps its three holes.".to_owned());
@@ -306,8 +306,8 @@ fn finish(spec: &Spec, design: &Design) -> Vec<String> {
             format!("{name}: pull the paper out by its tongue, {}{sheet}.", ends.join(" and "))
         });
     }
-    if let Some(more) = placed.len().checked_sub(LISTED).filter(|more| *more > 0) {
-        lines.push(format!("The other {more} in the same way: the number is on each tongue."));
+    if let Some(further_count) = placed.len().checked_sub(LISTED).filter(|further_count| *further_count > 0) {
+        lines.push(format!("The other {further_count} in the same way: the number is on each tongue."));
     }
     lines.push("Paper wider than its port crumples on its way out: pull slowly, with flat tweezers. Thin paper may also stay inside.".to_owned());
     if let Some(inlet) = &spec.inlet {

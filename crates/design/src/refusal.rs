@@ -93,7 +93,7 @@ impl Refusals {
     ///
     /// # Errors
     /// These refusals, if there is at least one.
-    pub fn or<T>(self, value: T) -> Result<T, Self> {
+    pub fn or_value<T>(self, value: T) -> Result<T, Self> {
         if self.0.is_empty() { Ok(value) } else { Err(self) }
     }
 }
@@ -154,7 +154,7 @@ mod tests {
             |key: KeyPath| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned());
         let pair: Refusals = [refusal(key::star::POINTS), refusal(key::seal::BAND)].into_iter().collect();
         assert_eq!(pair.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
-        assert_eq!(pair.clone().or(()), Err(pair));
-        assert_eq!(Refusals::new().or(7), Ok(7));
+        assert_eq!(pair.clone().or_value(()), Err(pair));
+        assert_eq!(Refusals::new().or_value(7), Ok(7));
     }
 }

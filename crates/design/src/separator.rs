@@ -78,7 +78,7 @@ fn label(tongue: &Tongue, text: &str) -> Vec<Path> {
 /// The air of a star with this `channel`, by its tube's realised edges: the closed one at the hole, and the outer one, which the
 /// channel opens.
 pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Channel>) -> AirSide {
-    let [hole, outside] = edges;
+    let [hole, outer_edge] = edges;
     let tongue = channel.map(|channel| Tongue {
         port: 0,
         end: channel.mouth_center(star),
@@ -86,7 +86,7 @@ pub(super) fn air_of_star(star: &Star, edges: &[Path; 2], channel: Option<&Chann
         width: 2.0 * channel.half_width,
         length: channel.mouth - star.tip_reach(),
     });
-    let outer = if channel.is_some() { Channel::mouth_cut(outside.clone()) } else { outside.clone() };
+    let outer = if channel.is_some() { Channel::mouth_cut(outer_edge.clone()) } else { outer_edge.clone() };
     let air_edges = vec![outer.counterclockwise(), hole.counterclockwise().reversed()];
     AirSide::of_edges(air_edges.clone(), air_edges, tongue.as_slice())
 }

@@ -64,7 +64,7 @@ impl Design {
     }
 
     /// The pieces by a drawing; `None` for another product.
-    pub fn drawn(&self) -> Option<&DrawnPieces> {
+    pub fn drawn_pieces(&self) -> Option<&DrawnPieces> {
         match &self.product {
             Product::Stars(_) => None,
             Product::Drawing(pieces) => Some(pieces),

@@ -59,7 +59,7 @@ impl Stack {
                 refusals.push(too_tight(i, pitch, needed_pitch, thickness));
             }
         }
-        refusals.or(())?;
+        refusals.or_value(())?;
         let bottom = half_height(0).max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
         let top = half_height(count - 1).max(spec.stars[count - 1].pitch.0 / 2.0);
         let mut height = thickness / 2.0;

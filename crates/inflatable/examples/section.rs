@@ -21,9 +21,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             -rest.curvature,
             seal_load(0.1, &rest).unwrap_or(f64::NAN),
             rest.edges.map_or(f64::NAN, |edges| edges.width),
-            meridian.most(|point| point.stretch),
-            -meridian.most(|point| -point.hoop_tension),
-            meridian.most(|point| point.hoop_tension)
+            meridian.largest(|point| point.stretch),
+            -meridian.largest(|point| -point.hoop_tension),
+            meridian.largest(|point| point.hoop_tension)
         );
     }
     println!(

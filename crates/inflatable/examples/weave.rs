@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tube = Tube { width: 0.03, fabric, pressure: 37e3 };
     let case = FlatStar { band: 0.002, margin, ..FlatStar::sharp(tube, points, 0.05, 30.0_f64.to_radians()) };
     let radii: Vec<f64> = numbers.iter().skip(6).map(|mm| 1e-3 * mm).collect();
-    let sizes = (&Sizes::across(1.0, cells), cuts);
+    let sizes = (&Sizes::for_tube(1.0, cells), cuts);
     let found = star_by_sizes(&case, Objects::Radii(&radii), sizes, &Watch::default())?;
     let print = |name: &str, value: Value| {
         let Value { value, error, meshes: [a, b, c] } = value;

@@ -75,7 +75,7 @@ fn table() -> Result<String, Box<dyn Error>> {
 fn transformed(line: &[Quantities]) -> Vec<Quantities> {
     let series: [Chebyshev; 8] = std::array::from_fn(|quantity| {
         let values: Vec<f64> = line.iter().map(|values| values[quantity]).collect();
-        Chebyshev::through(&values)
+        Chebyshev::interpolating(&values)
     });
     (0..line.len()).map(|i| std::array::from_fn(|quantity| series[quantity].coefficients()[i])).collect()
 }

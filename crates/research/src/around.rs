@@ -43,7 +43,7 @@ pub fn inflate_around(
     watch: &Watch<'_>,
 ) -> Result<StarAround, ShellFault> {
     let modelled = case.modelled()?;
-    let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let mut meshed = modelled.meshed(&Sizes::for_tube(1.0, fineness.cells))?;
     let mut loads = Vec::new();
     for cut in 0..=fineness.cuts {
         if cut > 0 {

@@ -42,7 +42,7 @@ pub fn inflations(
     watch: &Watch,
 ) -> Result<Vec<Option<Inflation>>, ShellFault> {
     let modelled = case.modelled()?;
-    let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let mut meshed = modelled.meshed(&Sizes::for_tube(1.0, fineness.cells))?;
     let mut levels: Vec<Vec<[f64; 3]>> = Vec::new();
     let mut coarser: Option<(Solver, Vec<State>)> = None;
     let units = case.tube.fabric.stretch / case.tube.width;

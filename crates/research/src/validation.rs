@@ -79,9 +79,9 @@ pub fn compare_all() -> Result<Vec<Comparison>, &'static str> {
     let stars = shipped();
     let left_out = fitted(&stars)?.left_out;
     let compared = |one: &ComputedStar| match left_out.iter().find(|(star, _)| *star == one.star) {
-        Some((_, own)) => {
-            compare_by(one, |moves, width, ratios| Correction::trend(moves, width, ratios).with(own))
-        }
+        Some((_, own)) => compare_by(one, |moves, width, ratios| {
+            Correction::trend(moves, width, ratios).with_residuals(own)
+        }),
         None => compare(one),
     };
     Ok(stars.iter().filter_map(compared).collect())

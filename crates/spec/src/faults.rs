@@ -27,7 +27,7 @@ impl Faults {
 
     /// These faults and one more of the same text, if there is one.
     #[must_use]
-    pub fn with(self, addition: Option<Fault>) -> Self {
+    pub fn with_addition(self, addition: Option<Fault>) -> Self {
         Self::new(&self.source, self.list.into_iter().chain(addition).collect())
     }
 

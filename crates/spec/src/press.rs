@@ -202,8 +202,8 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<PressLayer> {
         return PressLayer::USUAL.to_vec();
     }
     if let Some(allowed) = fault_of_layers(&layers) {
-        let found = layers.iter().map(|layer| layer.word()).collect::<Vec<_>>().join(", ");
-        s.refuse(FaultCode::OutOfRange, "layers", format!("`layers` are {found}"), allowed);
+        let layer_words = layers.iter().map(|layer| layer.word()).collect::<Vec<_>>().join(", ");
+        s.refuse(FaultCode::OutOfRange, "layers", format!("`layers` are {layer_words}"), allowed);
     }
     layers
 }

@@ -447,7 +447,7 @@ mod tests {
 
     #[test]
     fn every_fault_of_processes_has_its_code_and_its_remedy() {
-        let used = "outer_process = \"weak\"\n";
+        let uses_weak = "outer_process = \"weak\"\n";
         for (rest, code, words) in [
             ("outer_process = \"weka\"\n[process.weak]\n", "unknown-process", "did you mean `weak`?"),
             ("[process.weak]\n", "no-effect", "no seam uses the process `weak`"),
@@ -486,8 +486,9 @@ mod tests {
             assert!(text.contains(words), "{rest}: {text}");
         }
         // All at once.
-        let (codes, text) =
-            faults(&format!("{used}[process.weak]\npasses = 0\ntemperature = \"310 C\"\n[process.other]\n"));
+        let (codes, text) = faults(&format!(
+            "{uses_weak}[process.weak]\npasses = 0\ntemperature = \"310 C\"\n[process.other]\n"
+        ));
         assert_eq!(codes, ["out-of-range", "ptfe", "no-effect"], "{text}");
     }
 

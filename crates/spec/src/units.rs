@@ -13,7 +13,7 @@ pub use geom::readable::Readable;
 pub use limits::{Least, Most, hundredths_down, tenths_down, tenths_up};
 
 /// A number of things: "1 finding", "91 findings".
-pub fn counted(number: usize, noun: &str) -> String {
+pub fn count_text(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 

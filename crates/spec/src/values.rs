@@ -90,18 +90,20 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
         .collect();
     for star in raw.overrides().iter().filter_map(RawValue::as_table) {
         let section = format!("star {}", star.get("index").map(plain_text).unwrap_or_default());
-        list.extend(written(star, section).filter(|setting| setting.key != "index"));
+        list.extend(section_settings(star, section).filter(|setting| setting.key != "index"));
     }
     let processes = raw.root().get("process").and_then(RawValue::as_table);
     for entry in processes.into_iter().flat_map(|table| &table.0) {
         let table = entry.value.as_table();
-        list.extend(table.into_iter().flat_map(|table| written(table, format!("process.{}", entry.key))));
+        list.extend(
+            table.into_iter().flat_map(|table| section_settings(table, format!("process.{}", entry.key))),
+        );
     }
     list
 }
 
 /// The settings that `table` writes, as those of `section`.
-fn written(table: &RawTable, section: String) -> impl Iterator<Item = Setting> {
+fn section_settings(table: &RawTable, section: String) -> impl Iterator<Item = Setting> {
     table.0.iter().map(move |entry| Setting {
         section: section.clone(),
         key: entry.key.clone(),

@@ -445,7 +445,7 @@ class Prediction:
         """Where on the flat star the seal's pull is largest, mm. By the shell only."""
     @property
     def burst_pressure_kPa(self) -> float | None:
-        """Pressure at which the pull on the seal is the strength of its seam, kPa. Needs that strength."""
+        """Pressure at which the pull on the seal is the strength of its seam, kPa. Needs the strengths of both loops."""
     @property
     def seal_tension(self) -> dict[str, Any] | None:
         """Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only."""

@@ -19,7 +19,7 @@ pub(super) fn publish(
     place: &TargetPlace,
     files: &[StagedFile<'_>],
 ) -> Result<Option<PathBuf>, PublishFault> {
-    let [new, ready, old] = PlaceRole::ALL.map(|role| place.beside(role));
+    let [new, ready, old] = PlaceRole::ALL.map(|role| place.hidden_path(role));
     stage::write([&new, &ready], files, &place.target)?;
     let old_directory =
         take_place(&place.target, ready.clone(), old).inspect_err(|_| stage::discard([&new, &ready]))?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 
 /// The reason why a build was not published; the target is unchanged.
 #[derive(Debug)]
@@ -58,14 +58,14 @@ impl fmt::Display for PublishFault {
                 f,
                 "{} is not named in a manifest beside it, so its directory is not changed; move it away or \
                  choose another directory",
-                shown(path)
+                escaped_line(path)
             ),
-            Self::Refused(path, why) => write!(f, "{} {why}", shown(path)),
+            Self::Refused(path, why) => write!(f, "{} {why}", escaped_line(path)),
             Self::LongName(bytes) => write!(
                 f,
                 "the output directory's name has {bytes} bytes, at most {NAME_BYTES} are allowed; choose another with -o"
             ),
-            Self::Io(what, path, error) => write!(f, "cannot {what} {}: {error}", shown(path)),
+            Self::Io(what, path, error) => write!(f, "cannot {what} {}: {error}", escaped_line(path)),
         }
     }
 }

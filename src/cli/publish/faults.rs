@@ -13,7 +13,7 @@ use tempfile::TempDir;
 use crate::cli::publish::disk::DiskStep;
 use crate::cli::publish::place::TargetPlace;
 use crate::cli::publish::stage::StagedFile;
-use crate::cli::publish::{PublishFault, Published, put, retire};
+use crate::cli::publish::{PublishFault, Published, publish_files, retire};
 use crate::manifest::{MANIFEST, sha256};
 
 /// The abilities of the system.
@@ -130,7 +130,7 @@ fn run(
 ) -> (Result<Published, PublishFault>, usize, Option<String>) {
     let fate = Fate { version, system, target: target.to_owned(), at: step, event, steps: 0, written: None };
     FATE.set(Some(fate));
-    let result = put(target, &build(version));
+    let result = publish_files(target, &build(version));
     let fate = FATE.take().unwrap();
     (result, fate.steps, fate.written)
 }
@@ -143,7 +143,7 @@ fn visible(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     files.map(|(name, path)| (name, fs::read(path).unwrap())).collect()
 }
 
-fn whole(directory: &Path, version: u8) -> bool {
+fn is_whole(directory: &Path, version: u8) -> bool {
     let files = build(version).into_iter();
     visible(directory) == files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
 }
@@ -166,7 +166,7 @@ fn contains_text(directory: &Path, text: &str) -> bool {
 }
 
 /// Moves the file in the way elsewhere, as the message advises, and publishes again.
-fn again(root: &Path, target: &Path, version: u8, system: System) {
+fn publish_again(root: &Path, target: &Path, version: u8, system: System) {
     for _ in 0..10 {
         match run(target, version, system, 0, NOTHING).0 {
             Ok(_) => return,
@@ -186,7 +186,7 @@ fn workshop(old_version: Option<u8>) -> (TempDir, PathBuf) {
     let target = fs::canonicalize(root.path()).unwrap().join("out/star");
     fs::create_dir(root.path().join("out")).unwrap();
     if let Some(version) = old_version {
-        assert!(put(&target, &build(version)).is_ok());
+        assert!(publish_files(&target, &build(version)).is_ok());
     }
     (root, target)
 }
@@ -215,11 +215,15 @@ fn one_fault_leaves_the_old_build_or_the_new_one() {
                 match event {
                     Event::Fails(_) => {
                         let version = if result.is_ok() { 2 } else { 1 };
-                        assert!(whole(&target, version), "{case}: {:?}", visible(&target));
+                        assert!(is_whole(&target, version), "{case}: {:?}", visible(&target));
                     }
                     Event::Killed => {
                         let _ = retire::sweep(&place, true).unwrap();
-                        assert!(whole(&target, 1) || whole(&target, 2), "{case}: {:?}", visible(&target));
+                        assert!(
+                            is_whole(&target, 1) || is_whole(&target, 2),
+                            "{case}: {:?}",
+                            visible(&target)
+                        );
                     }
                     Event::Added | Event::Edited => {
                         let text = foreign_text.unwrap_or_default();
@@ -229,8 +233,8 @@ fn one_fault_leaves_the_old_build_or_the_new_one() {
                         );
                     }
                 }
-                again(root.path(), &target, 3, system);
-                assert!(whole(&target, 3), "{case}: {:?}", visible(&target));
+                publish_again(root.path(), &target, 3, system);
+                assert!(is_whole(&target, 3), "{case}: {:?}", visible(&target));
                 assert_eq!(leftovers(&target), Vec::<PathBuf>::new(), "{case}");
             }
         }
@@ -249,7 +253,7 @@ fn a_target_that_cannot_be_renamed_is_refused_unchanged() {
         matches!(&fault, PublishFault::Refused(path, why) if *path == target && why.contains("mount point")),
         "{fault}"
     );
-    assert!(whole(&target, 1), "{:?}", visible(&target));
+    assert!(is_whole(&target, 1), "{:?}", visible(&target));
     assert_eq!(leftovers(&target), Vec::<PathBuf>::new());
 }
 
@@ -264,14 +268,14 @@ fn a_first_publication_leaves_all_or_nothing() {
                     break;
                 }
                 let case = format!("{event:?} at {at}: {result:?}");
-                assert!(!target.exists() || whole(&target, 1), "{case}");
+                assert!(!target.exists() || is_whole(&target, 1), "{case}");
                 assert!(result.is_err() || target.exists(), "{case}");
                 if !matches!(event, Event::Killed) && result.is_err() {
                     // A failed removal may leave the directory that it was removing, and nothing else.
                     assert!(leftovers(&target).len() <= usize::from(at == steps), "{case}");
                 }
-                again(root.path(), &target, 2, system);
-                assert!(whole(&target, 2) && leftovers(&target).is_empty(), "{case}");
+                publish_again(root.path(), &target, 2, system);
+                assert!(is_whole(&target, 2) && leftovers(&target).is_empty(), "{case}");
             }
         }
     }
@@ -299,8 +303,8 @@ fn many_faults_lose_nothing() {
             lives.push(format!("{event:?} at {step}: {result:?}"));
             texts.extend(foreign_text);
         }
-        again(root.path(), &target, 9, system);
-        assert!(whole(&target, 9), "{round}, {system:?}: {lives:#?}");
+        publish_again(root.path(), &target, 9, system);
+        assert!(is_whole(&target, 9), "{round}, {system:?}: {lives:#?}");
         assert_eq!(leftovers(&target), Vec::<PathBuf>::new(), "{round}, {system:?}: {lives:#?}");
         for text in texts {
             assert!(contains_text(root.path(), &text), "{round}, {system:?}: {text} is lost: {lives:#?}");

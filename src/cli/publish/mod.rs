@@ -18,7 +18,7 @@ mod stage;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::publish::place::TargetPlace;
 use crate::cli::publish::record::PublishRecord;
 use crate::cli::publish::stage::StagedFile;
@@ -42,10 +42,14 @@ pub struct Published {
 impl fmt::Display for Published {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(name) = &self.replaced {
-            writeln!(f, "note: this replaces the build of another design, {}", shown(name))?;
+            writeln!(f, "note: this replaces the build of another design, {}", escaped_line(name))?;
         }
         for path in &self.kept {
-            writeln!(f, "warning: not of the replaced build, or changed since: kept as {}", shown(path))?;
+            writeln!(
+                f,
+                "warning: not of the replaced build, or changed since: kept as {}",
+                escaped_line(path)
+            )?;
         }
         if let Some(fault) = &self.left {
             writeln!(f, "warning: {fault}; the old build is left there, and the next build here removes it")?;
@@ -66,24 +70,24 @@ pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
 /// # Errors
 /// See [`PublishFault`]; the target is then unchanged.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
-    put(target, &proven.built().files().collect::<Vec<_>>())
+    publish_files(target, &proven.built().files().collect::<Vec<_>>())
 }
 
 /// Publishes `files` (name, content), which are proven, in the directory `target`, the manifest last.
 ///
 /// # Errors
 /// See [`PublishFault`]; the target is then unchanged.
-pub(super) fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
+pub(super) fn publish_files(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
     let place = TargetPlace::new(target)?;
     // Without a lock of the parent another publication may run beside the target.
     let [parent, _target] = place.lock();
     let mut kept_entries = retire::sweep(&place, parent.is_some())?;
-    let before = record::ours(&place.target)?;
+    let before = record::read_record(&place.target)?;
     let after =
         files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| PublishRecord::parse(bytes));
     let mut sweep_fault = None;
     if let Some(old) = exchange::publish(&place, files)? {
-        match retire::retire(&old, after.as_ref(), &place.kept()) {
+        match retire::retire(&old, after.as_ref(), &place.kept_path()) {
             Ok(more) => kept_entries.extend(more),
             Err(fault) => sweep_fault = Some(fault),
         }

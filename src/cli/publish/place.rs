@@ -74,7 +74,7 @@ impl TargetPlace {
     }
 
     /// The hidden directory beside the target.
-    pub(super) fn beside(&self, role: PlaceRole) -> PathBuf {
+    pub(super) fn hidden_path(&self, role: PlaceRole) -> PathBuf {
         let mut hidden = OsString::from(".");
         hidden.push(&self.name);
         hidden.push(role.suffix());
@@ -82,7 +82,7 @@ impl TargetPlace {
     }
 
     /// The name, without its number, under which entries of an old build are kept.
-    pub(super) fn kept(&self) -> PathBuf {
+    pub(super) fn kept_path(&self) -> PathBuf {
         kept_beside(&self.parent, &self.name)
     }
 

@@ -69,7 +69,7 @@ impl PublishRecord {
     }
 
     /// Whether `entry` is a file that the record names and still has the recorded bytes.
-    pub(super) fn holds(&self, entry: &Path) -> bool {
+    pub(super) fn is_unchanged(&self, entry: &Path) -> bool {
         let Some(file) = self.find(entry).filter(|_| disk::is_plain(entry)) else { return false };
         // The length is compared first, so that no foreign file is read, whatever length the manifest states.
         let is_as_long = fs::metadata(entry).is_ok_and(|found| found.len() == file.bytes);
@@ -89,7 +89,7 @@ pub(super) fn is_manifest(entry: &Path) -> bool {
 ///
 /// # Errors
 /// If no record names one of its entries, or if the directory is write-protected.
-pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault> {
+pub(super) fn read_record(target: &Path) -> Result<Option<PublishRecord>, PublishFault> {
     if !disk::exists(target) {
         return Ok(None);
     }
@@ -139,13 +139,13 @@ mod tests {
                 r#"{{"name": "n", "files": [{{"path": "a", "bytes": {bytes}, "sha256": "{hash}"}}]}}"#
             );
             assert_eq!(
-                PublishRecord::parse(text.as_bytes()).expect("a record").holds(&entry),
+                PublishRecord::parse(text.as_bytes()).expect("a record").is_unchanged(&entry),
                 held,
                 "{bytes}"
             );
         }
         let record =
             PublishRecord::parse(br#"{"name": "n", "files": [{"path": "a", "bytes": 1, "sha256": "0"}]}"#);
-        assert!(!record.expect("a record").holds(&entry));
+        assert!(!record.expect("a record").is_unchanged(&entry));
     }
 }

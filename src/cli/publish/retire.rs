@@ -29,7 +29,7 @@ pub(super) fn retire(
     let entries = disk::entries(directory).map_err(PublishFault::io("read", directory))?;
     let (manifest, files): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| is_manifest(entry));
     let clean = |entry: &PathBuf| {
-        [record.as_ref(), successor].into_iter().flatten().any(|record| record.holds(entry))
+        [record.as_ref(), successor].into_iter().flatten().any(|record| record.is_unchanged(entry))
     };
     // The manifest is removed last: after a kill it still names the program's files.
     let manifest = manifest.into_iter().filter(|_| record.is_some());
@@ -71,8 +71,8 @@ fn keep(directory: &Path, kept_path: &Path) -> Result<Vec<PathBuf>, PublishFault
 pub(super) fn sweep(place: &TargetPlace, is_alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
     let mut kept_entries = Vec::new();
     for role in PlaceRole::ALL {
-        let path = place.beside(role);
-        kept_entries.extend(clear(&path, role, &place.target, &place.kept())?);
+        let path = place.hidden_path(role);
+        kept_entries.extend(clear(&path, role, &place.target, &place.kept_path())?);
     }
     // Without a lock a hidden directory of another target may be one that is being written.
     for (path, name, role) in place.hidden().into_iter().filter(|_| is_alone) {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::source_file::read_source;
@@ -49,16 +49,20 @@ pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study,
     let file = read_study(&source)?;
     let spec = path.parent().unwrap_or(Path::new("")).join(&file.spec);
     if !spec.exists() {
-        let text = format!("`spec` in {} names {}, and there is no such file", shown(path), shown(&spec));
+        let text = format!(
+            "`spec` in {} names {}, and there is no such file",
+            escaped_line(path),
+            escaped_line(&spec)
+        );
         return Err(Failure::File(path.display().to_string(), text));
     }
-    let loaded_spec = Loaded::spoken(&spec, verbosity)?.with_stars("study")?;
+    let loaded_spec = Loaded::read_spec(&spec, verbosity)?.with_stars("study")?;
     Ok(Study::new(&file, &loaded_spec.source)?)
 }
 
 /// The spec at `path` with the values of `vary`, "KEY=VALUES" each.
 pub(in crate::cli) fn varied(path: &Path, vary: &[String], verbosity: Verbosity) -> Result<Study, Failure> {
-    let loaded_spec = Loaded::spoken(path, verbosity)?.with_stars("study")?;
+    let loaded_spec = Loaded::read_spec(path, verbosity)?.with_stars("study")?;
     let axes = vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
     Study::vary(&loaded_spec.source, axes.map_err(Failure::Message)?)?.map_err(Failure::Message)
 }

@@ -35,11 +35,11 @@ enum StudyCommand {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match &args.what {
         StudyCommand::Run(args) => compute::run(args),
-        StudyCommand::Show { study, quiet } => say(&shown(&loaded(study, quiet.verbosity())?)),
+        StudyCommand::Show { study, quiet } => say(&study_text(&loaded(study, quiet.verbosity())?)),
     }
 }
 
-fn shown(study: &Study) -> String {
+fn study_text(study: &Study) -> String {
     let mut text = format!("{} rows\nfingerprint {}\n\n", study.rows(), study.fingerprint());
     for column in study.columns() {
         let kind = match (column.kind, column.unit) {

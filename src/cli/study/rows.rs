@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write, stdout};
 use std::path::{Path, PathBuf};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress::{self, Progress};
@@ -131,7 +131,7 @@ impl StudyRows<'_> {
         };
         write().map_err(|error| match error.kind() {
             io::ErrorKind::Interrupted if self.listening.has_heard() => {
-                Failure::Stopped(format!("stopped; {} was not written", shown(path)))
+                Failure::Stopped(format!("stopped; {} was not written", escaped_line(path)))
             }
             _ => Failure::file("write", path, &error),
         })

@@ -61,25 +61,25 @@ impl Canvas<'_> {
     }
 
     fn text(&mut self, text: &Text) {
-        let start = self.at(text.start(text.width()));
+        let start = self.pixel(text.start(text.width()));
         let Some(path) = trace(&text.content, start, text.size * self.scale).finish() else { return };
         self.pixels.fill_path(&path, &paint(text.ink), FillRule::Winding, Transform::identity(), None);
     }
 
     /// A point in pixels, Y down.
-    fn at(&self, p: Point) -> Point {
+    fn pixel(&self, p: Point) -> Point {
         Point::new((p.x - self.origin.x) * self.scale, (self.origin.y - p.y) * self.scale)
     }
 
     fn outline(&self, paths: &[Path]) -> Option<tiny_skia::Path> {
         let mut builder = PathBuilder::new();
         for path in paths {
-            let Some(start) = path.start().map(|start| self.at(start)) else { continue };
+            let Some(start) = path.start().map(|start| self.pixel(start)) else { continue };
             builder.move_to(single(start.x), single(start.y));
             for segment in &path.segments {
                 match segment {
                     Segment::Line(line) => {
-                        let end = self.at(line.end);
+                        let end = self.pixel(line.end);
                         builder.line_to(single(end.x), single(end.y));
                     }
                     Segment::Arc(arc) => self.arc(arc, &mut builder),
@@ -104,7 +104,7 @@ impl Canvas<'_> {
                 segment.point(to) - segment.tangent(to) * reach,
                 segment.point(to),
             ]
-            .map(|p| self.at(p));
+            .map(|p| self.pixel(p));
             builder.cubic_to(
                 single(a.x),
                 single(a.y),

@@ -27,10 +27,10 @@ pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -
         return None;
     }
     let mut packer = Compressor::new(Vec::new()).ok()?;
-    let mut above = vec![0; row_length];
+    let mut row_above = vec![0; row_length];
     for row in pixels.chunks_exact(row_length) {
-        packer.write_data(&filtered(row, &above)).ok()?;
-        above.copy_from_slice(row);
+        packer.write_data(&filtered(row, &row_above)).ok()?;
+        row_above.copy_from_slice(row);
     }
     let mut file = SIGNATURE.to_vec();
     // 8 bits a colour, three colours, no interlacing.
@@ -46,10 +46,10 @@ pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -
 
 /// `row` behind the number of its filter. The filter is the one whose differences have the least sum; of equal ones the last, or the first
 /// without differences.
-fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
+fn filtered(row: &[u8], row_above: &[u8]) -> Vec<u8> {
     let mut smallest: Option<(u64, Vec<u8>)> = None;
     for filter in [Filter::Up, Filter::Sub, Filter::Average, Filter::Paeth] {
-        let bytes = differences(row, above, filter);
+        let bytes = differences(row, row_above, filter);
         let sum = bytes[1..].iter().map(|byte| u64::from(byte.cast_signed().unsigned_abs())).sum();
         if smallest.as_ref().is_none_or(|(least, _)| sum <= *least) {
             smallest = Some((sum, bytes));
@@ -61,8 +61,8 @@ fn filtered(row: &[u8], above: &[u8]) -> Vec<u8> {
     smallest.map(|(_, differences)| differences).unwrap_or_default()
 }
 
-/// The number of `filter`, then what it leaves of `row`, which has the row `above` it.
-fn differences(row: &[u8], above: &[u8], filter: Filter) -> Vec<u8> {
+/// The number of `filter`, then what it leaves of `row`, which has the row `row_above` it.
+fn differences(row: &[u8], row_above: &[u8], filter: Filter) -> Vec<u8> {
     let to_left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
     let mut differences = Vec::with_capacity(row.len() + 1);
     differences.push(filter as u8);
@@ -70,28 +70,29 @@ fn differences(row: &[u8], above: &[u8], filter: Filter) -> Vec<u8> {
     let bytes = differences[1..].iter_mut().enumerate();
     match filter {
         Filter::Sub => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k))),
-        Filter::Up => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(above[k])),
+        Filter::Up => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(row_above[k])),
         Filter::Average => {
-            bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k).midpoint(above[k])));
+            bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k).midpoint(row_above[k])));
         }
         Filter::Paeth => bytes.for_each(|(k, byte)| {
-            *byte = byte.wrapping_sub(paeth(to_left(row, k), above[k], to_left(above, k)));
+            *byte = byte.wrapping_sub(paeth(to_left(row, k), row_above[k], to_left(row_above, k)));
         }),
     }
     differences
 }
 
 /// Of the bytes to the left, above, and above to the left the nearest to `left + above - corner`, by PNG's predictor of Paeth.
-fn paeth(left: u8, above: u8, corner: u8) -> u8 {
-    let to_left = above.abs_diff(corner);
-    let to_above = left.abs_diff(corner);
-    let to_corner = (i16::from(left) + i16::from(above) - 2 * i16::from(corner)).unsigned_abs();
+fn paeth(left_byte: u8, above_byte: u8, corner_byte: u8) -> u8 {
+    let to_left = above_byte.abs_diff(corner_byte);
+    let to_above = left_byte.abs_diff(corner_byte);
+    let to_corner =
+        (i16::from(left_byte) + i16::from(above_byte) - 2 * i16::from(corner_byte)).unsigned_abs();
     if to_left <= to_above && u16::from(to_left) <= to_corner {
-        left
+        left_byte
     } else if u16::from(to_above) <= to_corner {
-        above
+        above_byte
     } else {
-        corner
+        corner_byte
     }
 }
 

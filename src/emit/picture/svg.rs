@@ -32,7 +32,7 @@ impl Picture {
             let mut element = Element::new("g");
             element.assign("id", group.name.as_str());
             for mark in &group.marks {
-                element.append(shown(&page, mark));
+                element.append(mark_element(&page, mark));
             }
             document.append(element);
         }
@@ -40,7 +40,7 @@ impl Picture {
     }
 }
 
-fn shown(page: &SvgPage, mark: &Mark) -> Element {
+fn mark_element(page: &SvgPage, mark: &Mark) -> Element {
     match mark {
         Mark::Area { paths, ink } => {
             let mut element = Element::new("path");

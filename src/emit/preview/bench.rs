@@ -65,7 +65,7 @@ fn height_of(layout: &SheetLayout, style: Style) -> Text {
 pub(super) fn bench_group(machine: &Machine, window: &Bounds, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new("machine");
     if let Some((x, y)) = machine.bench.work_area {
-        for path in within(x.0, y.0, window) {
+        for path in visible_sides(x.0, y.0, window) {
             places.keep_off(&path, 0.0);
             group.line(path, style.dashes(WORK_AREA, 1.5));
         }
@@ -127,7 +127,7 @@ fn axes(group: &mut Group, style: Style) {
 }
 
 /// The sides of the work area that are seen.
-fn within(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
+fn visible_sides(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
     let (right, top) = (x.min(window.max.x), y.min(window.max.y));
     let mut lines = Vec::new();
     if x < window.max.x {

@@ -35,7 +35,7 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, pl
         let lines = lines.map(|(words, up, size)| {
             vec![Text::centered(middle + Vec2::new(0.0, up * size), size, TEXT, words)]
         });
-        if let Some(lines) = places.all(lines) {
+        if let Some(lines) = places.place_all(lines) {
             for line in lines {
                 group.text(line);
             }
@@ -50,7 +50,7 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, pl
         let direction =
             mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
         let size = (0.9 * style.unit).min(0.3 * geometry.w);
-        beside(
+        draw_callout(
             &mut group,
             places,
             &Callout { at: mouth, along: direction, size, words: "inlet", ring: false },
@@ -77,13 +77,17 @@ pub(super) fn drawn_labels(
         let normal = tangent.perp();
         let size = (0.9 * style.unit).min(0.3 * piece.label_width());
         let words = shortened(&seam.name, 24);
-        beside(&mut group, places, &Callout { at: point, along: normal, size, words: &words, ring: false });
+        draw_callout(
+            &mut group,
+            places,
+            &Callout { at: point, along: normal, size, words: &words, ring: false },
+        );
     }
     let middle = placed.placement.point(piece.part.outside.bounds().center());
     let size = (0.9 * style.unit).min(0.3 * piece.label_width());
     for port in &piece.shape.ports {
         let point = placed.placement.point(port.at);
-        beside(
+        draw_callout(
             &mut group,
             places,
             &Callout { at: point, along: point - middle, size, words: "port", ring: false },
@@ -94,7 +98,7 @@ pub(super) fn drawn_labels(
         let place = placed.placement.point(Point::new(bounds.max.x, bounds.center().y));
         let direction = place - placed.placement.point(bounds.center());
         let callout = Callout { at: place, along: direction, size, words: "valve, upper sheet", ring: false };
-        beside(&mut group, places, &callout);
+        draw_callout(&mut group, places, &callout);
     }
     let name = placed.name().to_string();
     let texts = SIZES.map(|share| Text::centered(middle, share * 1.6 * style.unit, TEXT, name.clone()));
@@ -126,7 +130,7 @@ fn hinges(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Place
                     hinge_texts(geometry.rho_0, geometry.corner_ray(k), format!("{corner}{k}")),
                 ]
             });
-            if let Some(labels) = places.all(labels) {
+            if let Some(labels) = places.place_all(labels) {
                 return labels;
             }
         }
@@ -141,7 +145,7 @@ pub(super) fn start_labels(starts: &[Start], style: Style, places: &mut Places) 
         let size = style.unit.min(0.3 * start.tube);
         let words = start.order.to_string();
         let callout = Callout { at: start.at, along: start.along.perp(), size, words: &words, ring: true };
-        beside(&mut group, places, &callout);
+        draw_callout(&mut group, places, &callout);
     }
     group
 }
@@ -157,33 +161,34 @@ struct Callout<'a> {
     ring: bool,
 }
 
-fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
+fn draw_callout(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
     // Sizes from large to small, reaches from near to far, and directions from straight ahead to behind are tried
     // until a place is free. Where many places were tried already, only the likely ones are, because a crowded sheet
     // would take seconds. Without a free place the callout is left out.
-    let Callout { at, along, words, ring, .. } = *callout;
+    let Callout { at: anchor, along: direction, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     // Straight ahead first, then ever farther to both sides.
     let turn = |way: u32| f64::from(way.div_ceil(2)) * if way.is_multiple_of(2) { 1.0 } else { -1.0 };
     let ways: Vec<Vec2> =
-        (0..WAYS).map(|way| Vec2::unit(along.angle() + turn(way) * TAU / f64::from(WAYS))).collect();
+        (0..WAYS).map(|way| Vec2::unit(direction.angle() + turn(way) * TAU / f64::from(WAYS))).collect();
     let (sizes, reaches) =
-        if places.tries() < MANY { (&SIZES[..], &REACHES[..]) } else { (&SIZES[..1], &REACHES[..2]) };
+        if places.tried_places() < MANY { (&SIZES[..], &REACHES[..]) } else { (&SIZES[..1], &REACHES[..2]) };
     for size in sizes.iter().map(|share| share * callout.size) {
-        let mut text = Text::centered(at, size, ink, words);
+        let mut text = Text::centered(anchor, size, ink, words);
         let half = 0.5 * text.width();
         let radius = (half + 0.25 * size).max(0.75 * size);
         for reach in reaches {
             for out in &ways {
-                let middle = at + *out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
+                let middle = anchor + *out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
                 text = text.centered_at(middle);
                 let area = if ring { Bounds::of_points([middle]).outset(radius) } else { text.bounds() };
                 if !places.is_free(&area) {
                     continue;
                 }
                 places.keep_off_box(area);
-                let edge = if ring { middle - *out * radius } else { nearest(&area.outset(0.15 * size), at) };
-                group.line(straight(at, edge), Pen::new(ink, 0.07 * size));
+                let edge =
+                    if ring { middle - *out * radius } else { nearest(&area.outset(0.15 * size), anchor) };
+                group.line(straight(anchor, edge), Pen::new(ink, 0.07 * size));
                 if ring {
                     group.line(circle(middle, radius), Pen::new(ink, 0.07 * size));
                 }

@@ -58,7 +58,7 @@ impl Places {
     }
 
     /// Number of places tried.
-    pub(super) fn tries(&self) -> usize {
+    pub(super) fn tried_places(&self) -> usize {
         self.tries
     }
 
@@ -122,7 +122,7 @@ impl Places {
     }
 
     /// All of `labels`, each at the first of its places; `None`, and no place taken, if one of them has none.
-    pub(super) fn all(&mut self, labels: impl IntoIterator<Item = Vec<Text>>) -> Option<Vec<Text>> {
+    pub(super) fn place_all(&mut self, labels: impl IntoIterator<Item = Vec<Text>>) -> Option<Vec<Text>> {
         let box_count = self.boxes.len();
         let placed = labels.into_iter().map(|places| self.first(places)).collect();
         if Option::<Vec<Text>>::is_none(&placed) {
@@ -160,8 +160,8 @@ mod tests {
         assert!(places.first([label(10.0)]).is_none(), "taken");
         let line = |x: f64| Path::open(vec![Line::new(Point::new(x, -3.0), Point::new(x, 3.0)).into()]);
         assert!(!places.is_clear(&line(10.0)) && places.is_clear(&line(15.0)));
-        assert!(places.all([vec![label(20.0)], vec![label(20.0)]]).is_none());
+        assert!(places.place_all([vec![label(20.0)], vec![label(20.0)]]).is_none());
         assert!(places.is_free(&label(20.0).bounds()), "what was in the way is no longer there");
-        assert_eq!(places.all([vec![label(20.0)], vec![label(30.0)]]).map(|all| all.len()), Some(2));
+        assert_eq!(places.place_all([vec![label(20.0)], vec![label(30.0)]]).map(|all| all.len()), Some(2));
     }
 }

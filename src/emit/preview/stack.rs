@@ -44,7 +44,7 @@ impl<'a> StackView<'a> {
         let assembly = preview.design.assembly()?;
         let mouths = assembly.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
         let reach = mouths.fold(assembly.frame.radius, f64::max);
-        Some(Self { preview, assembly, reach, side: SideObject::of(preview.spec, assembly.stack.height) })
+        Some(Self { preview, assembly, reach, side: SideObject::new(preview.spec, assembly.stack.height) })
     }
 
     /// Width and height that the views need, one above the other, with labels at both sides, where type is of the size `unit`.
@@ -232,7 +232,7 @@ impl<'a> StackView<'a> {
 
 impl SideObject {
     /// The object of `spec` beside a stack that is `stack` mm high; `None` without one. What lies further than that from the stack is cut off.
-    fn of(spec: &Spec, stack: f64) -> Option<Self> {
+    fn new(spec: &Spec, stack: f64) -> Option<Self> {
         let object = Object::new(spec.load.as_ref()?)?;
         let stand = Stand::new(spec)?;
         let (low, top) = (stand.object, stand.object + object.height().0);

@@ -20,14 +20,14 @@ const SCALE_BAR: f64 = 50.0;
 /// All blocks, in order.
 pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> Vec<Block<'a>> {
     let assembly = preview.design.assembly();
-    let mut out = vec![design(preview, sheet)];
-    out.extend(assembly.map(|assembly| stars(assembly, sheet)));
-    out.extend([order(preview, sheet), legend(preview, sheet, style)]);
+    let mut listed_blocks = vec![design(preview, sheet)];
+    listed_blocks.extend(assembly.map(|assembly| stars(assembly, sheet)));
+    listed_blocks.extend([order(preview, sheet), legend(preview, sheet, style)]);
     if let Some(assembly) = assembly.filter(|_| sheet == 1) {
-        out.push(stack(preview, assembly, style));
+        listed_blocks.push(stack(preview, assembly, style));
     }
-    out.extend(preview.code.map(|code| Block::new("This spec in the page").with_code(code)));
-    out
+    listed_blocks.extend(preview.code.map(|code| Block::new("This spec in the page").with_code(code)));
+    listed_blocks
 }
 
 fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
@@ -129,10 +129,10 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let mut rows: Vec<(Vec<usize>, Vec<usize>, &SeamReport)> = Vec::new();
     for program in preview.programs.iter().filter(|program| program.sheet == sheet) {
         for (order, seam) in (1..).zip(&program.seams) {
-            let same = |row: &&mut (_, _, &SeamReport)| {
+            let is_alike = |row: &&mut (_, _, &SeamReport)| {
                 row.2.name.seam == seam.name.seam && (row.2.length - seam.length).abs() < 1e-6
             };
-            match rows.iter_mut().find(same) {
+            match rows.iter_mut().find(is_alike) {
                 Some((orders, stars, _)) => {
                     if !orders.contains(&order) {
                         orders.push(order);
@@ -147,7 +147,7 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     }
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
-        let each = if stars.len() > 1 { " each" } else { "" };
+        let per_star = if stars.len() > 1 { " each" } else { "" };
         let (side, orders) = (shortened(&seam.name.in_piece(), 24), orders.join(", "));
         block.say(match seam.name.piece.kind() {
             "star" => format!("{orders}: {side} of {}", listed(&stars)),
@@ -156,7 +156,7 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
                 format!("{orders}: {side} of {kind} {}", numbers.join(", "))
             }
         });
-        block.say(format!("    {:.0} mm in {}{each}", seam.length, hours(seam.time)));
+        block.say(format!("    {:.0} mm in {}{per_star}", seam.length, hours(seam.time)));
     }
     block
 }
@@ -191,8 +191,8 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     block.explain(Swatch::Area(FABRIC), "flap");
     block.explain(line(CUT, 1.0), "cut, registration holes");
     let is_star = preview.design.assembly().is_some();
-    let drawn = if is_star { "hinge as drawn" } else { "edge as drawn" };
-    block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), drawn);
+    let line_name = if is_star { "hinge as drawn" } else { "edge as drawn" };
+    block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), line_name);
     if is_star {
         block.say("T tip, C corner");
     }
@@ -212,14 +212,14 @@ fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'s
     block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     if let Some(first) = shut.first() {
-        let held = object.is_some_and(|object| object.0 >= first.inner_radius * (1.0 - 1e-9));
-        let on = if held { " on the object" } else { "" };
+        let is_on_object = object.is_some_and(|object| object.0 >= first.inner_radius * (1.0 - 1e-9));
+        let suffix = if is_on_object { " on the object" } else { "" };
         let mut widths: Vec<String> =
             shut.iter().map(|star| format!("{:.1}", 2.0 * star.inner_radius)).collect();
         if widths.iter().all(|width| *width == widths[0]) {
             widths.truncate(1);
         }
-        block.explain(line(star_ink(1), 2.8), format!("shut{on}: {} mm across", widths.join(", ")));
+        block.explain(line(star_ink(1), 2.8), format!("shut{suffix}: {} mm across", widths.join(", ")));
     }
     if let Some(object) = object {
         block.explain(Swatch::Area(OBJECT), format!("object, {} mm across", Readable(2.0 * object.0)));

@@ -73,7 +73,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         figures.extend(processes(report));
     }
     // Only a drawing's page has these.
-    if design.drawn().is_some() {
+    if design.drawn_pieces().is_some() {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
     }
     // Only the page for a press has these: temperature and pressure stand where an iron has temperature and speed.
@@ -107,13 +107,13 @@ fn stars(design: &Design) -> &[StarDesign] {
 /// The settings of the product that the spec describes.
 fn own_settings(report: &Report<'_>) -> Vec<Setting> {
     let source = Source::new("spec.toml", report.source);
-    if report.design.drawn().is_some() { drawing_settings(&source) } else { settings(&source) }
+    if report.design.drawn_pieces().is_some() { drawing_settings(&source) } else { settings(&source) }
 }
 
 /// The tone of the verdict.
 fn tone(report: &Report<'_>) -> Tone {
-    let drawn = report.drawn.map(DrawnPrediction::tone);
-    drawn.or(report.prediction.map(Prediction::tone)).unwrap_or(Tone::Plain)
+    let drawn_tone = report.drawn.map(DrawnPrediction::tone);
+    drawn_tone.or(report.prediction.map(Prediction::tone)).unwrap_or(Tone::Plain)
 }
 
 fn machine(machine: &Machine) -> Value {

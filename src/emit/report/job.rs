@@ -42,10 +42,10 @@ fn part(placed: &PlacedPart, part: FlatPiece<'_>) -> Value {
 pub(super) fn sheets(report: &Report<'_>) -> Vec<Value> {
     let design = report.design;
     let star = |star: &PlacedPart| {
-        let at = star.placement;
+        let placement = star.placement;
         json!({
-            "star": star.index, "part": star.distinct, "x_mm": thousandths(at.shift.x), "y_mm": thousandths(at.shift.y),
-            "turn_deg": thousandths(at.rotation.to_degrees()),
+            "star": star.index, "part": star.distinct, "x_mm": thousandths(placement.shift.x), "y_mm": thousandths(placement.shift.y),
+            "turn_deg": thousandths(placement.rotation.to_degrees()),
         })
     };
     let sheet = |sheet: &SheetLayout| {
@@ -98,9 +98,12 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
 
 /// One step that ends at `end`, s; `None` for a step without time and way.
 fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Value> {
-    let along = |what: &str, pieces: &[Segment]| json!({ "do": what, "end_s": end, "seam": seam, "path": polyline(&Path::open(pieces.to_vec())) });
+    let path_step = |what: &str, pieces: &[Segment]| {
+        let path = polyline(&Path::open(pieces.to_vec()));
+        json!({ "do": what, "end_s": end, "seam": seam, "path": path })
+    };
     let ramp = |what: &str, ramp: &Ramp| {
-        let mut value = along(what, &ramp.pieces);
+        let mut value = path_step(what, &ramp.pieces);
         value["height_mm"] = json!([ramp.from, ramp.to]);
         value
     };
@@ -115,7 +118,7 @@ fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Va
             json!({ "do": "travel", "end_s": end, "to": [hundredths(*x), hundredths(*y)] })
         }
         Step::TouchDown(down) => ramp("down", down),
-        Step::Seal(pieces) => along("seal", pieces),
+        Step::Seal(pieces) => path_step("seal", pieces),
         Step::Lift(up) => ramp("up", up),
         Step::Pause(_) => json!({ "do": "pause", "end_s": end }),
         Step::Cool(wait) => json!({ "do": "cool", "end_s": end, "wait_s": wait.0 }),

@@ -189,7 +189,7 @@ mod tests {
             .prop_map(|parts| parts.concat())
     }
 
-    fn between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
+    fn text_between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
         let (_, rest) = page.split_once(from).expect("its beginning");
         rest.split_once(to).expect("its end").0
     }
@@ -202,9 +202,9 @@ mod tests {
             for mark in ["<", ">", "://"] {
                 prop_assert_eq!(page_of_words.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
             }
-            let block = between(&page_of_words, "<script type=\"application/json\" id=\"data\">", "</script>");
+            let block = text_between(&page_of_words, "<script type=\"application/json\" id=\"data\">", "</script>");
             prop_assert_eq!(serde_json::from_str::<Value>(block).expect("JSON"), data);
-            let title = between(&page_of_words, "<title>", "</title>");
+            let title = text_between(&page_of_words, "<title>", "</title>");
             prop_assert!(!title.contains(['<', '>', '"', '\'', '/']), "{}", title);
         }
     }
@@ -213,7 +213,7 @@ mod tests {
     fn the_policy_names_the_very_scripts_and_styles() {
         let whole_page = page("x", &json!({}), b"glb", None, None);
         for (from, to) in [("<style>", "</style>"), ("<script>", "</script>")] {
-            prop_assert_hash(&whole_page, between(&whole_page, from, to));
+            prop_assert_hash(&whole_page, text_between(&whole_page, from, to));
         }
         assert_eq!(whole_page.matches("<script>").count(), 1);
         assert_eq!(whole_page.matches("<style>").count(), 1);

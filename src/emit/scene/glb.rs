@@ -65,7 +65,7 @@ impl Glb {
 
     /// Adds a mesh again by another name, with shared numbers; returns its index. Viewers find the target of an animation by the name
     /// of its mesh.
-    pub(super) fn again(&mut self, mesh: usize, name: &str) -> usize {
+    pub(super) fn copy_mesh(&mut self, mesh: usize, name: &str) -> usize {
         let mut copy = self.meshes[mesh].clone();
         copy["name"] = name.into();
         self.meshes.push(copy);

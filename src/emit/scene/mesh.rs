@@ -130,8 +130,8 @@ impl Mesh {
         let points: Vec<[f64; 3]> =
             buffers.vertices.iter().map(|p| [f64::from(p.x), f64::from(p.y), z]).collect();
         let upwards = |[a, b, c]: [u32; 3]| {
-            let [[ax, ay, _], [bx, by, _], [cx, cy, _]] = [a, b, c].map(|i| points[i as usize]);
-            if (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0.0 { [a, c, b] } else { [a, b, c] }
+            let [[x1, y1, _], [x2, y2, _], [x3, y3, _]] = [a, b, c].map(|i| points[i as usize]);
+            if (x2 - x1) * (y3 - y1) - (y2 - y1) * (x3 - x1) < 0.0 { [a, c, b] } else { [a, b, c] }
         };
         let triangles = buffers.indices.chunks_exact(3).map(|t| upwards([t[0], t[1], t[2]])).collect();
         Self { points, inflated: Vec::new(), triangles }

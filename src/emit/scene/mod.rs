@@ -75,7 +75,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[PosedStar]) -> Option
         let (posed, name) = (inflated.get(placed.index - 1), format!("fabric of star {}", placed.index));
         let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == posed);
         let mesh = match alike {
-            Some((.., mesh)) => glb.again(*mesh, &name),
+            Some((.., mesh)) => glb.copy_mesh(*mesh, &name),
             None => star(glb, design.part(placed), posed, &name)?,
         };
         meshes.push((placed.distinct, posed, mesh));

@@ -70,15 +70,16 @@ impl ScenePose {
     fn point(&self, place: PosePlace) -> Point {
         let p = match place {
             PosePlace::Corner { turn, out } => {
-                let radius = (self.radii[0] - self.beyond(out)).max(0.0);
+                let radius = (self.radii[0] - self.distance_outside(out)).max(0.0);
                 self.corner + Vec2::unit(PI - turn * self.halves[0]) * radius
             }
             PosePlace::Arm { along, out } => {
-                let foot = self.corner + self.across * self.radii[0] - self.across * self.beyond(out);
+                let foot =
+                    self.corner + self.across * self.radii[0] - self.across * self.distance_outside(out);
                 foot + self.along * along
             }
             PosePlace::Tip { turn, out } => {
-                let radius = (self.radii[1] + self.width + self.beyond(out)).max(0.0);
+                let radius = (self.radii[1] + self.width + self.distance_outside(out)).max(0.0);
                 self.tip + Vec2::unit(self.ray() - turn * self.halves[1]) * radius
             }
         };
@@ -90,8 +91,8 @@ impl ScenePose {
     }
 
     /// Distance outside the outer edge of a place given as a share of the width inside of it, or as a length beyond an edge.
-    fn beyond(&self, out: Out) -> f64 {
-        match out {
+    fn distance_outside(&self, place: Out) -> f64 {
+        match place {
             Out::Outside(length) => length,
             Out::Tube(share) => -share * self.width,
             Out::Hole(length) => -self.width - length,
@@ -102,20 +103,20 @@ impl ScenePose {
     fn place(&self, q: Point) -> PosePlace {
         let from_corner = q - self.corner;
         let along = from_corner.dot(self.along);
-        let out = |beyond: f64| match beyond {
+        let outside = |beyond: f64| match beyond {
             length if length > 0.0 => Out::Outside(length),
             inside if inside < -self.width => Out::Hole(-self.width - inside),
             inside => Out::Tube(-inside / self.width),
         };
         if along < 0.0 {
             let turn = (PI - from_corner.angle().abs()) / self.halves[0];
-            PosePlace::Corner { turn, out: out(self.radii[0] - from_corner.length()) }
+            PosePlace::Corner { turn, out: outside(self.radii[0] - from_corner.length()) }
         } else if along > self.arm {
             let from_tip = q - self.tip;
             let turn = (self.ray() - from_tip.angle()) / self.halves[1];
-            PosePlace::Tip { turn, out: out(from_tip.length() - self.radii[1] - self.width) }
+            PosePlace::Tip { turn, out: outside(from_tip.length() - self.radii[1] - self.width) }
         } else {
-            PosePlace::Arm { along, out: out(self.radii[0] - from_corner.dot(self.across)) }
+            PosePlace::Arm { along, out: outside(self.radii[0] - from_corner.dot(self.across)) }
         }
     }
 
@@ -278,10 +279,13 @@ mod tests {
                         let sector = (y.atan2(x) / (2.0 * to.ray())).round() * 2.0 * to.ray();
                         let q = rotated(Point::new(x, y), -sector);
                         let place = to.place(Point::new(q.x, q.y.abs()));
-                        let (PosePlace::Corner { out, .. }
-                        | PosePlace::Arm { out, .. }
-                        | PosePlace::Tip { out, .. }) = place;
-                        assert!((to.beyond(out) - beyond).abs() < 1e-9, "{side:?} {phi} {p:?}");
+                        let (PosePlace::Corner { out: pose_out, .. }
+                        | PosePlace::Arm { out: pose_out, .. }
+                        | PosePlace::Tip { out: pose_out, .. }) = place;
+                        assert!(
+                            (to.distance_outside(pose_out) - beyond).abs() < 1e-9,
+                            "{side:?} {phi} {p:?}"
+                        );
                     }
                 }
             }

@@ -30,7 +30,7 @@ fn number(variable: &str, default: u64) -> u64 {
 fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     let reading = spec::read(&Source::new("spec", case.spec.as_str())).ok()?;
     let machine = spec::read_machine(&Source::new("machine", case.machine.as_str())).ok()?;
-    let forecast = Forecast::of(reading.spec, machine).ok()?;
+    let forecast = Forecast::new(reading.spec, machine).ok()?;
     let built = forecast.build(Sources { spec: &case.spec, machine: &case.machine }, &case.asked);
     // `verify` makes every file again beside reading it.
     let list = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };

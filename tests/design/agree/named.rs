@@ -23,7 +23,7 @@ fn findings(text: &str, profile: &str, extras: &[Kind]) -> Vec<String> {
     let reading = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let machine =
         spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
-    let forecast = Forecast::of(reading.spec, machine).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let forecast = Forecast::new(reading.spec, machine).unwrap_or_else(|refusals| panic!("{refusals}"));
     let request = KindRequest { with: extras.to_vec(), ..KindRequest::default() };
     let built = forecast.build(Sources { spec: text, machine: profile }, &request);
     prove_files(&built.output_files()).findings.iter().map(ToString::to_string).collect()
@@ -34,7 +34,7 @@ fn refused(text: &str, profile: &str) -> Vec<String> {
     let reading = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let machine: Machine =
         spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
-    let refusals = Forecast::of(reading.spec, machine).err().unwrap_or_default();
+    let refusals = Forecast::new(reading.spec, machine).err().unwrap_or_default();
     refusals.iter().map(|refusal| refusal.code.to_string()).collect()
 }
 
@@ -80,7 +80,7 @@ fn a_ramp_without_length_is_refused_and_the_length_that_the_remedy_names_is_not(
     assert_eq!(refused(&chop, &with_ramp("0.005")), ["steep-ramp"]);
     let reading = spec::read(&Source::new("spec", &chop)).unwrap_or_else(|faults| panic!("{faults}"));
     let machine = spec::read_machine(&Source::new("own", with_ramp("0.005"))).expect("valid");
-    let refusals = Forecast::of(reading.spec, machine).expect_err("steep");
+    let refusals = Forecast::new(reading.spec, machine).expect_err("steep");
     let shortest = refusals[0].remedy.split(' ').find(|word| word.parse::<f64>().is_ok()).expect("a length");
     assert_eq!(findings(&chop, &with_ramp(shortest), &[]), [""; 0], "{shortest}");
 }

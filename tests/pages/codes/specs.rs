@@ -335,7 +335,7 @@ const DRAWING: &str = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nla
 fn of_drawing(text: &str, bytes: &[u8], [_, refusals, precautions]: &mut [Vec<Message>; 3]) {
     let reading = spec::read(&Source::new("spec.toml", text)).expect("a spec").with_drawing(bytes);
     let machine = Machine::builtin("generic").expect("built in");
-    match Forecast::of(reading.spec, machine) {
+    match Forecast::new(reading.spec, machine) {
         Ok(forecast) => {
             let warnings = forecast.design.warnings.iter();
             refusals
@@ -358,7 +358,7 @@ fn of_spec(text: &str, profile: Option<&str>, [faults, refusals, precautions]: &
     let machine = Machine::builtin(&reading.spec.machine.profile)
         .or_else(|_| spec::read_machine(&Source::new("own.toml", profile_read)))
         .expect("a profile");
-    let forecast = match Forecast::of(reading.spec, machine) {
+    let forecast = match Forecast::new(reading.spec, machine) {
         Ok(forecast) => forecast,
         Err(found) => return refusals.extend(of_refusals(&found)),
     };

@@ -24,7 +24,7 @@ use crate::question::{Tell, text};
 /// # Errors
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
-    let loaded = Given::of(question, files)?;
+    let loaded = Given::read(question, files)?;
     let build_request = request(question);
     no_requested_programs(&loaded.reading.spec, &build_request)
         .map_err(|refusals| refused_design(&loaded, refusals))?;
@@ -50,7 +50,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -
 /// # Errors
 /// The answer without an overview, if the spec is refused.
 pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
-    let loaded = Given::of(question, files)?;
+    let loaded = Given::read(question, files)?;
     let drawing = picture::drawing(&loaded.reading.spec);
     match judged(&loaded, None, None) {
         Ok((forecast, mut answer, faults)) => {

@@ -39,13 +39,13 @@ pub(super) fn process(question: &Value) -> Result<Value, Value> {
     let reading = spec::read(&spec_source).map_err(|faults| refused(&faults))?;
     let speed = format!("\"{} mm/s\"", reading.spec.seal.speed.0);
     let drawing = reading.spec.drawing.ok_or_else(|| wrong("the spec has no drawing"))?;
-    let mut chosen = drawing.processes;
-    chosen.retain(|(seam, _)| seam != name);
+    let mut processes = drawing.processes;
+    processes.retain(|(seam, _)| seam != name);
     if !process.is_empty() {
-        chosen.push((name.to_owned(), process.to_owned()));
+        processes.push((name.to_owned(), process.to_owned()));
     }
     let mut lists: Vec<(&str, Vec<&str>)> = Vec::new();
-    for (seam, process) in &chosen {
+    for (seam, process) in &processes {
         match lists.iter_mut().find(|(listed, _)| listed == process) {
             Some((_, seams)) => seams.push(seam),
             None => lists.push((process, vec![seam])),
@@ -139,8 +139,11 @@ mod tests {
         assert!(two.contains(r#"process = { weak = ["tear", "seam"] }"#), "{two}");
         let strong = process_of(&two, "tear", "strong");
         assert!(strong.contains(r#"process = { weak = ["seam"], strong = ["tear"] }"#), "{strong}");
-        let none = process_of(&weak, "tear", "");
-        assert!(!none.contains("process = {") && none.contains("[process.weak]"), "{none}");
+        let without_process = process_of(&weak, "tear", "");
+        assert!(
+            !without_process.contains("process = {") && without_process.contains("[process.weak]"),
+            "{without_process}"
+        );
         let slower = super::edit(&json!({ "spec": weak, "key": "process.weak.passes", "value": "2" }));
         assert!(
             slower.expect("a key of processes")["spec"]

@@ -35,7 +35,7 @@ use crate::question::{Tell, text, wrong};
 
 /// Answers a question, or reports why it could not be read.
 pub fn answer(question: Result<Message, String>, tell: Tell) -> Message {
-    question.map_err(wrong).and_then(|question| answered(question, tell)).unwrap_or_else(Message::of)
+    question.map_err(wrong).and_then(|question| answered(question, tell)).unwrap_or_else(Message::from_json)
 }
 
 /// The answer, or another one without files, that names the faults.
@@ -58,5 +58,5 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         "process" => edit::process(&question)?,
         _ => return Err(wrong(format!("unknown question {word:?}"))),
     };
-    Ok(Message::of(answer))
+    Ok(Message::from_json(answer))
 }

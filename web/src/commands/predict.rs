@@ -22,7 +22,7 @@ const DETAIL: Detail = Detail::Coarse;
 /// # Errors
 /// The answer with the faults.
 pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Value, Value> {
-    let loaded = Given::of(question, files)?;
+    let loaded = Given::read(question, files)?;
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = text(question, "model").and_then(model) {
         spec.accuracy.model = model;
@@ -41,7 +41,7 @@ pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell)
 /// The prediction as text and as JSON.
 fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), ShellRefusal> {
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
-    if let Some(pieces) = design.drawn() {
+    if let Some(pieces) = design.drawn_pieces() {
         let prediction = drawn::inflate(spec, pieces, DETAIL, &watch)?.prediction;
         return Ok((drawn::text::text(spec, &prediction, false), json!(prediction)));
     }

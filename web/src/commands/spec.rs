@@ -35,7 +35,7 @@ impl Given {
     ///
     /// # Errors
     /// The answer with all faults of either.
-    pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Value> {
+    pub(super) fn read(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Value> {
         let spec_source = source(question)?;
         let reading = spec::read(&spec_source).and_then(|reading| with_drawing(&spec_source, reading, files));
         let reading = reading.map_err(|faults| refused(&faults))?;

@@ -30,7 +30,7 @@ pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str
         if let Some(name) = colour.filter(|_| by_colour).or(telling) {
             return place(name);
         }
-        let outer_names = || shared.around(groups(element));
+        let outer_names = || shared.enclosing_names(groups(element));
         let own_names = || element.layers[..element.own_names].iter().map(String::as_str);
         let (own_word, around_word) = (own_names().find(is_role), outer_names().find(is_role));
         let best = if is_grouped {
@@ -80,18 +80,18 @@ impl<'a> Shared<'a> {
 
     /// The outermost name that tells elements apart: one with the word of a role, else any.
     pub(super) fn telling<'n>(&self, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-        let names: Vec<&str> = names.filter(|name| !self.has(name)).collect();
+        let names: Vec<&str> = names.filter(|name| !self.is_shared(name)).collect();
         let word = names.iter().find(|name| word_role(name).is_some());
         word.or(names.first()).copied()
     }
 
     /// Whether `name` is that of the root or of a group around everything.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub(super) fn is_shared(&self, name: &str) -> bool {
         self.root.iter().any(|root| root == name) || self.all.contains(name)
     }
 
     /// The names that all elements have, without those of the root.
-    fn around<'n>(&self, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'n str> {
+    fn enclosing_names<'n>(&self, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'n str> {
         names.filter(|name| self.all.contains(name) && !self.root.iter().any(|root| root == name))
     }
 }

@@ -51,8 +51,8 @@ pub(super) fn complete(
     let inner = figures.filter(|element| is_on_layer(element, Layer::SealInner));
     let holes = inner.filter_map(|element| {
         let Figure::Path(path) = &element.figure else { return None };
-        let around = path.counterclockwise();
-        let path = offset(&around, -(rules.band / 2.0 + HOLE_FLAP))?;
+        let outline = path.counterclockwise();
+        let path = offset(&outline, -(rules.band / 2.0 + HOLE_FLAP))?;
         Some(DrawnCurve { name: element.id.clone(), path })
     });
     sketch.holes.extend(holes);
@@ -84,17 +84,17 @@ fn closed_at_mouth(path: &Path, rules: &Rules) -> Option<(Path, geom::Point)> {
     else {
         return None;
     };
-    let out: Vec2 = outwards.direction();
-    let across = outwards.end - inwards.start;
-    let are_parallel = (inwards.direction() + out).length() < ALIKE;
-    let is_square = across.dot(out).abs() < ALIKE && across.length() > rules.band;
+    let direction: Vec2 = outwards.direction();
+    let opening = outwards.end - inwards.start;
+    let are_parallel = (inwards.direction() + direction).length() < ALIKE;
+    let is_square = opening.dot(direction).abs() < ALIKE && opening.length() > rules.band;
     // From the end of the seam to where the channel of a port begins beside a closed seam.
     let back = MOUTH_OVERRUN + rules.band / 2.0 + rules.allowance;
     let is_long = inwards.length().min(outwards.length()) > back;
     if path.closed || !are_parallel || !is_square || !is_long {
         return None;
     }
-    let [start, end] = [inwards.start - out * back, outwards.end - out * back];
+    let [start, end] = [inwards.start - direction * back, outwards.end - direction * back];
     let mut segments = path.segments.clone();
     *segments.first_mut()? = Line::new(start, inwards.end).into();
     *segments.last_mut()? = Line::new(outwards.start, end).into();

@@ -54,7 +54,7 @@ impl DrawnPieces {
             let names: Vec<&str> = seams.map(|seam| seam.name.as_str()).collect();
             refusals.extend(processes.without_seam(&names));
         }
-        without_missing_ports(refusals).or(())?;
+        without_missing_ports(refusals).or_value(())?;
         let ramp = machine.process.ramp.0;
         let bounds: Vec<Bounds> =
             pieces.iter().map(|piece| footprint(&piece.shape, &piece.tool.outside, ramp)).collect();

@@ -8,7 +8,7 @@ use crate::drawn::words::{is_page, is_valve, word_role};
 use artwork::{Artwork, Figure, Place, Weight};
 use geom::{Bounds, BoxIndex, Enclosures, Path, Point, path_distance};
 use spec::LayerRole;
-use spec::units::counted;
+use spec::units::count_text;
 
 /// Lines across an edge that are longer are no marks, mm.
 const LONGEST_MARK: f64 = 20.0;
@@ -42,7 +42,7 @@ struct DrawnLayer<'d> {
 /// Layers get roles one by one. If none is one of ports, short lines across an edge become ports by their own names; if none has edges
 /// of air or seams, those of cuts do: nothing could be sealed otherwise.
 pub(super) fn proposed(drawing: &Artwork, is_dxf: bool) -> Vec<RoleRow> {
-    let edges = EdgePaths::of(drawing);
+    let edges = EdgePaths::new(drawing);
     let drawn_layers = layers(drawing, is_dxf, &edges);
     let mut rows: Vec<RoleRow> = drawn_layers
         .iter()
@@ -108,7 +108,7 @@ fn suited(
     edges: &EdgePaths,
 ) -> (LayerRole, String) {
     let (closed, number) = (layer.closed, layer.elements.len());
-    let figures = format!("{}, {closed} closed", counted(number, "figure"));
+    let figures = format!("{}, {closed} closed", count_text(number, "figure"));
     // The only layer has the design, whatever its name is.
     let page = (is_page(layer.name) && number == 1).then_some(LayerRole::Ignore);
     if word_role(layer.name) == Some(LayerRole::Port)
@@ -201,7 +201,7 @@ struct EdgePaths {
 
 impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
-    fn of(drawing: &Artwork) -> Self {
+    fn new(drawing: &Artwork) -> Self {
         let closed_rings = rings(drawing);
         let (paths, elements_of_paths): (Vec<Path>, Vec<Vec<usize>>) =
             closed_rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
@@ -316,7 +316,7 @@ impl LeftOut {
     pub(super) fn hidden(drawing: &Artwork, is_dxf: bool) -> Vec<Self> {
         let notes = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
         let places = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
-        Self::of(drawing, is_dxf, places)
+        Self::new(drawing, is_dxf, places)
     }
 
     /// The layers with figures of which none can be read.
@@ -324,9 +324,9 @@ impl LeftOut {
         let is_unread = |weight| matches!(weight, Weight::Lost | Weight::Annotation);
         let notes = drawing.notes.iter().filter(|note| is_unread(note.weight));
         let of_notes = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
-        let mut unread = Self::of(drawing, is_dxf, of_notes);
+        let mut unread = Self::new(drawing, is_dxf, of_notes);
         let of_faults = drawing.faults.iter().map(|fault| (&fault.place, fault.text.as_str()));
-        for faulty in Self::of(drawing, is_dxf, of_faults) {
+        for faulty in Self::new(drawing, is_dxf, of_faults) {
             unread.retain(|left_out| left_out.layer != faulty.layer);
             unread.push(Self { is_faulty: true, ..faulty });
         }
@@ -334,7 +334,7 @@ impl LeftOut {
     }
 
     /// The layers of these places, each with the text on what lies there, that no element has.
-    fn of<'d>(
+    fn new<'d>(
         drawing: &Artwork,
         is_dxf: bool,
         places: impl Iterator<Item = (&'d Place, &'d str)>,
@@ -359,5 +359,5 @@ fn layer_of<'a>(place: &'a Place, is_dxf: bool, shared: &Shared<'_>) -> Option<&
         return place.layers.get(place.own_names.checked_sub(1)?).map(String::as_str);
     }
     let mut names = place.layers.iter().rev().map(String::as_str);
-    names.find(|name| !shared.has(name)).or(place.element.as_deref())
+    names.find(|name| !shared.is_shared(name)).or(place.element.as_deref())
 }

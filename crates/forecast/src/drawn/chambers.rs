@@ -44,7 +44,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
     }
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {
-            chamber: flat.by(MM_IN_M),
+            chamber: flat.in_units(MM_IN_M),
             fabric: fabric(&elastic_sheet, fabric_weave),
             pressure: 0.0,
             band: spec.seal.band.metres(),

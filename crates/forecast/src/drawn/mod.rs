@@ -95,7 +95,7 @@ pub fn inflate(
         #[expect(clippy::cast_precision_loss, reason = "few chambers")]
         let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
         let inflated = watch
-            .within(ends, |watch| region(&case, chamber.fineness(detail), watch))
+            .run_part(ends, |watch| region(&case, chamber.fineness(detail), watch))
             .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
         answer.fill(&inflated, pieces, *highest, &strengths);

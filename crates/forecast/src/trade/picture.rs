@@ -38,8 +38,8 @@ const QUESTIONS: [LogAxis; 3] = [question(230.0), question(480.0), question(730.
 /// The limits: 1e-16 to 1.
 const RING: LogAxis = LogAxis { left: 230.0, width: 660.0, decades: [-16, 0] };
 
-const fn question(left: f64) -> LogAxis {
-    LogAxis { left, width: 185.0, decades: [-3, 1] }
+const fn question(left_side: f64) -> LogAxis {
+    LogAxis { left: left_side, width: 185.0, decades: [-3, 1] }
 }
 
 /// The errors by which a question is answered, and its words.

@@ -15,7 +15,7 @@ impl Chebyshev {
     }
 
     /// The interpolant of `values` taken at [`Chebyshev::points`].
-    pub fn through(values: &[f64]) -> Self {
+    pub fn interpolating(values: &[f64]) -> Self {
         let count = values.len();
         #[expect(clippy::cast_precision_loss, reason = "series have a few dozen terms")]
         let coefficient = |k: usize| {
@@ -36,7 +36,7 @@ impl Chebyshev {
     }
 
     /// The value at `x` in [0, 1].
-    pub fn at(&self, x: f64) -> f64 {
+    pub fn value(&self, x: f64) -> f64 {
         let twice = 2.0 * (2.0 * x - 1.0);
         let (mut first, mut second) = (0.0, 0.0);
         for &c in self.coefficients.iter().skip(1).rev() {
@@ -62,8 +62,8 @@ mod tests {
         let f = |x: f64| (3.0 * x).sin() / (1.5 + x);
         for count in [8, 12, 16] {
             let values: Vec<f64> = Chebyshev::points(count).into_iter().map(f).collect();
-            let series = Chebyshev::through(&values);
-            let worst = (0..=200).map(f64::from).map(|i| (series.at(i / 200.0) - f(i / 200.0)).abs());
+            let series = Chebyshev::interpolating(&values);
+            let worst = (0..=200).map(f64::from).map(|i| (series.value(i / 200.0) - f(i / 200.0)).abs());
             let worst = worst.fold(0.0, f64::max);
             assert!(worst <= series.error() + 1e-15, "{count}: {worst} {}", series.error());
             assert!(worst > 0.0);
@@ -72,6 +72,6 @@ mod tests {
 
     #[test]
     fn an_empty_series_is_zero() {
-        assert_eq!(Chebyshev::through(&[]).at(0.5), 0.0);
+        assert_eq!(Chebyshev::interpolating(&[]).value(0.5), 0.0);
     }
 }

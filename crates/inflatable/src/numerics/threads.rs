@@ -27,7 +27,11 @@ impl Threads {
     }
 
     /// Whether `run` holds for all items; after one for which it does not, others may be left out.
-    pub(crate) fn all<T: Send>(self, items: Vec<T>, run: impl Fn(T) -> bool + Send + Sync) -> bool {
+    pub(crate) fn run_while_true<T: Send>(
+        self,
+        items: Vec<T>,
+        run: impl Fn(T) -> bool + Send + Sync,
+    ) -> bool {
         match self {
             Self::All if !IS_ALONE && items.len() > 1 => items.into_par_iter().all(run),
             _ => items.into_iter().all(run),
@@ -35,8 +39,8 @@ impl Threads {
     }
 
     /// Calls `run` with each item.
-    pub(crate) fn each<T: Send>(self, items: Vec<T>, run: impl Fn(T) + Send + Sync) {
-        let _ = self.all(items, |item| {
+    pub(crate) fn run_each<T: Send>(self, items: Vec<T>, run: impl Fn(T) + Send + Sync) {
+        let _ = self.run_while_true(items, |item| {
             run(item);
             true
         });

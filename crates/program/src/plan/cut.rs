@@ -6,7 +6,7 @@ use crate::plan::keep_out::clamps_in_the_way;
 use crate::plan::lowest_feed::lowest_of;
 use crate::plan::program::{PauseReason, SeamList, lowest_contact};
 use crate::plan::ramps::too_steep;
-use crate::plan::reach::beyond;
+use crate::plan::reach::refusal_beyond;
 use crate::plan::refusals::contradictions;
 use crate::plan::seal::{ContactPlanner, scope};
 use crate::plan::{Height, Program, Purpose, Step, actual_speed};
@@ -82,7 +82,7 @@ pub fn cut_refusals(
     refusals.extend(too_steep(cut_spec, machine, cuts));
     refusals.extend(clamps_in_the_way(cut_spec, machine, cuts, &[]));
     let remedy = "a larger margin in [sheet], or a smaller blade_offset";
-    refusals.extend(cuts.iter().find_map(|cut| beyond(machine, "the cut", &cut.steps, remedy)));
+    refusals.extend(cuts.iter().find_map(|cut| refusal_beyond(machine, "the cut", &cut.steps, remedy)));
     refusals
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use crate::plan::keep_out::clamps_in_the_way;
-use crate::plan::reach::beyond;
+use crate::plan::reach::refusal_beyond;
 use crate::plan::refusals::contradictions;
 use crate::plan::{Height, Program, Purpose, Scope, SeamList, Step};
 use design::Refusals;
@@ -49,7 +49,12 @@ pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program])
     let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();
     let program = Program::new(spec, machine, SCOPE, steps, SeamList::default());
     let mut refusals = contradictions(spec, machine, programs);
-    refusals.extend(beyond(machine, "the feed check", &program.steps, "a machine that reaches as far"));
+    refusals.extend(refusal_beyond(
+        machine,
+        "the feed check",
+        &program.steps,
+        "a machine that reaches as far",
+    ));
     refusals.extend(clamps_in_the_way(spec, machine, &[], &[program]));
     refusals
 }

@@ -48,7 +48,7 @@ pub use process_time::{ProcessTime, process_times};
 pub use program::{
     Height, PacedProcess, PauseReason, Program, Purpose, Ramp, SeamList, SeamReport, Step, distinct_processes,
 };
-pub use reach::beyond;
+pub use reach::refusal_beyond;
 pub use refusals::refusals;
 pub use seal::{seal_program, seal_programs};
 pub use stepper::Stepper;

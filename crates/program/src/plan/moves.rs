@@ -49,18 +49,18 @@ impl Cuts {
 
     /// The moves of `path`, in order.
     pub(super) fn moves(&self, path: &Path) -> Vec<Segment> {
-        let mut out = Vec::with_capacity(path.segments.len());
+        let mut moves = Vec::with_capacity(path.segments.len());
         for segment in &path.segments {
             let count = self.count(segment);
             let steps = f64::from(count);
-            out.extend((0..count).map(|i| segment.part(f64::from(i) / steps, f64::from(i + 1) / steps)));
+            moves.extend((0..count).map(|i| segment.part(f64::from(i) / steps, f64::from(i + 1) / steps)));
         }
-        out
+        moves
     }
 
     /// The number of moves of one segment.
     pub(super) fn count(&self, segment: &Segment) -> u32 {
-        let count = whole(segment.length() / self.longest);
+        let count = ceiling(segment.length() / self.longest);
         match segment {
             Segment::Arc(arc) => self.chords(arc, count),
             Segment::Line(_) => count,
@@ -69,21 +69,21 @@ impl Cuts {
 
     /// The number of moves of an arc, at least `count`.
     fn chords(&self, arc: &Arc, count: u32) -> u32 {
-        let count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
+        let count = count.max(ceiling(arc.sweep.abs() / FRAC_PI_2));
         let Some([fine, coarse]) = self.sagitta else { return count };
-        let within = |sagitta: f64| {
+        let chord_count = |sagitta: f64| {
             let angle = libm::acos((1.0 - sagitta / arc.radius).max(-1.0));
-            if sagitta < arc.radius { count.max(whole(arc.sweep.abs() / (2.0 * angle))) } else { count }
+            if sagitta < arc.radius { count.max(ceiling(arc.sweep.abs() / (2.0 * angle))) } else { count }
         };
-        let (length, plain) = (arc.length(), within(fine));
+        let (length, plain) = (arc.length(), chord_count(fine));
         match self.stroke {
             Some([longest, least]) if least > 0.0 && length < 2.0 * least * f64::from(plain) => {
-                let room = below(length / least);
+                let room = floor(length / least);
                 if length < least * f64::from(plain) {
                     // As many chords to each of the controller's shortest strokes, mostly one.
-                    room * within(coarse).div_ceil(room)
+                    room * chord_count(coarse).div_ceil(room)
                 } else {
-                    plain.max(whole(length / longest).min(room))
+                    plain.max(ceiling(length / longest).min(room))
                 }
             }
             _ => plain,
@@ -92,12 +92,12 @@ impl Cuts {
 }
 
 /// The number of moves for a ratio: its ceiling, where an excess of rounding does not count.
-fn whole(ratio: f64) -> u32 {
+fn ceiling(ratio: f64) -> u32 {
     number((ratio - 1e-9).ceil())
 }
 
 /// The whole number below a ratio, at least 1.
-fn below(ratio: f64) -> u32 {
+fn floor(ratio: f64) -> u32 {
     number((ratio + 1e-9).floor())
 }
 
@@ -106,8 +106,8 @@ fn below(ratio: f64) -> u32 {
     clippy::cast_sign_loss,
     reason = "path lengths are far below 2^32 moves"
 )]
-fn number(whole: f64) -> u32 {
-    whole.max(1.0) as u32
+fn number(count: f64) -> u32 {
+    count.max(1.0) as u32
 }
 
 #[cfg(test)]
@@ -118,19 +118,19 @@ mod tests {
     /// Six steps at 80 steps/mm and 45 degrees are 0.106 mm: chords are as long, or two go to a stroke.
     #[test]
     fn chords_divide_the_shortest_strokes() {
-        let least = 6.0 * 2.0_f64.sqrt() / 80.0;
+        let shortest = 6.0 * 2.0_f64.sqrt() / 80.0;
         let cuts = |stroke| Cuts { longest: 5.0, sagitta: Some([0.000_249, 0.000_8]), stroke };
         for (radius, to_each) in [(0.5, 2.0), (1.0, 2.0), (1.7, 2.0), (2.0, 1.0), (6.0, 1.0), (14.0, 1.0)] {
             let arc = Arc::new(Point::ORIGIN, radius, 0.3, 2.0);
-            let chord = arc.length() / f64::from(cuts(Some([2.0 / 15.0, least])).chords(&arc, 1));
+            let chord = arc.length() / f64::from(cuts(Some([2.0 / 15.0, shortest])).chords(&arc, 1));
             assert!(chord * chord / (8.0 * radius) < 0.000_8 + 1e-9, "{radius}: {chord}");
             let stroke = to_each * chord;
-            assert!(stroke >= least && stroke < 1.3 * least, "{radius}: {stroke}");
+            assert!(stroke >= shortest && stroke < 1.3 * shortest, "{radius}: {stroke}");
         }
         // Where the steps are fine, or not counted, nothing changes.
         let arc = Arc::new(Point::ORIGIN, 1.0, 0.3, 2.0);
-        for least in [0.0, 0.01] {
-            assert_eq!(cuts(Some([2.0 / 15.0, least])).chords(&arc, 1), cuts(None).chords(&arc, 1));
+        for shortest in [0.0, 0.01] {
+            assert_eq!(cuts(Some([2.0 / 15.0, shortest])).chords(&arc, 1), cuts(None).chords(&arc, 1));
         }
     }
 }

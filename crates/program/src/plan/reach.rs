@@ -10,7 +10,7 @@ const SLACK: f64 = 1e-6;
 
 /// The refusal of `steps` that `machine` cannot reach; `None` if it can, or if its work area is unknown. `subject` has these
 /// steps, and `remedy` makes them smaller.
-pub fn beyond(machine: &Machine, subject: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
+pub fn refusal_beyond(machine: &Machine, subject: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
     let (x, y) = machine.bench.work_area?;
     let extent = steps
         .iter()

@@ -109,15 +109,16 @@ impl<'a> ContactPlanner<'a> {
 
     /// The steps of `contact`; `None` if it has no way down.
     pub(super) fn plan(&self, contact: &SealContact) -> Option<ContactPlan> {
-        let SealContact { laid, process, line, pass } = contact;
+        let SealContact { laid: laid_seam, process, line, pass } = contact;
         let [high, low] = self.heights;
-        let (down, up) = (self.ramp(&laid.lead_in, high, low), self.ramp(&laid.lead_out, low, high));
+        let (down, up) =
+            (self.ramp(&laid_seam.lead_in, high, low), self.ramp(&laid_seam.lead_out, low, high));
         let start = down.pieces.first().map(Segment::start)?;
-        let length = laid.run.length();
+        let length = laid_seam.run.length();
         let time = (down.length() + length + up.length()) / self.speed;
-        let (name, overlap) = (laid.name.clone(), laid.overlap);
+        let (name, overlap) = (laid_seam.name.clone(), laid_seam.overlap);
         let report = SeamReport { name, length, overlap, time, process: *process, line: *line, pass: *pass };
-        let steps = [Step::TouchDown(down), Step::Seal(self.cuts.moves(&laid.run)), Step::Lift(up)];
+        let steps = [Step::TouchDown(down), Step::Seal(self.cuts.moves(&laid_seam.run)), Step::Lift(up)];
         Some(ContactPlan { start, steps, report })
     }
 

@@ -53,13 +53,13 @@ impl Trapezoid {
 
     /// The way travelled at the time `t`, mm.
     fn way(&self, t: f64) -> f64 {
-        let left = self.total - t;
-        if left <= 0.0 {
+        let time_left = self.total - t;
+        if time_left <= 0.0 {
             self.length
         } else if t < self.ramp {
             self.acceleration * t * t / 2.0
-        } else if left < self.ramp {
-            self.length - self.acceleration * left * left / 2.0
+        } else if time_left < self.ramp {
+            self.length - self.acceleration * time_left * time_left / 2.0
         } else {
             self.top * (t - self.ramp / 2.0)
         }
@@ -77,75 +77,76 @@ impl Stepper {
     pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
         let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
         let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
-        let most = steps.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
-        if most < 0.5 {
+        let most_steps = steps.iter().fold(0.0_f64, |most_steps, n| most_steps.max(n.abs()));
+        if most_steps < 0.5 {
             return 0.0;
         }
         if self.tick == 0.0 {
-            let rates = WholeRates::new(most / length, speed, acceleration, self.rate, self.first_rate);
-            return rates.seconds(most);
+            let rates = WholeRates::new(most_steps / length, speed, acceleration, self.rate, self.first_rate);
+            return rates.seconds(most_steps);
         }
         // Every axis speeds up at most so fast: together, at an angle, they are faster.
-        let along = acceleration * length / way.iter().fold(0.0_f64, |most, d| most.max(*d));
-        let ideal = Trapezoid::new(length, speed, along);
+        let path_acceleration =
+            acceleration * length / way.iter().fold(0.0_f64, |most_steps, d| most_steps.max(*d));
+        let ideal = Trapezoid::new(length, speed, path_acceleration);
         if ideal.total > LONG {
             return ideal.total;
         }
-        self.stepped(&ideal, most)
+        self.stepped(&ideal, most_steps)
     }
 
-    /// The time of a stroke of `most` steps of the axis that has most of them along the way `ideal`.
-    fn stepped(&self, ideal: &Trapezoid, most: f64) -> f64 {
-        let per_mm = most / ideal.length;
-        let (mut elapsed, mut owed, mut t, mut left) = (0.0, 0.0, 0.0, most);
-        while left > 0.0 {
-            let (counted, end) = self.segment(ideal, t, LEAST / per_mm);
+    /// The time of a stroke of `most_steps` steps of the axis that has most of them along the way `ideal`.
+    fn stepped(&self, ideal: &Trapezoid, most_steps: f64) -> f64 {
+        let per_mm = most_steps / ideal.length;
+        let (mut elapsed, mut owed_time, mut t, mut steps_left) = (0.0, 0.0, 0.0, most_steps);
+        while steps_left > 0.0 {
+            let (segment_time, end) = self.segment(ideal, t, LEAST / per_mm);
             t = end;
             let ahead = if t < ideal.total { per_mm * (ideal.length - ideal.way(t)) } else { 0.0 };
-            let after = (ahead - ROUNDING).ceil().max(0.0);
-            let told = (counted + owed) / (left - ahead);
-            let step = if self.wraps { wrapped(told) } else { told };
-            elapsed += (left - after) * step.min(1.0 / self.rate);
-            owed = (after - ahead) * told;
-            left = after;
+            let steps_after = (ahead - ROUNDING).ceil().max(0.0);
+            let step_time = (segment_time + owed_time) / (steps_left - ahead);
+            let step = if self.wraps { wrapped(step_time) } else { step_time };
+            elapsed += (steps_left - steps_after) * step.min(1.0 / self.rate);
+            owed_time = (steps_after - ahead) * step_time;
+            steps_left = steps_after;
         }
         elapsed
     }
 
-    /// The segment that begins at the time `begun` of the way `ideal` and is at least so long: its time as the controller
+    /// The segment that begins at the time `start_time` of the way `ideal` and is at least so long: its time as the controller
     /// counts it, and the time of the way at which it ends.
-    fn segment(&self, ideal: &Trapezoid, begun: f64, least: f64) -> (f64, f64) {
-        let start = ideal.way(begun);
-        let enough = (start + least).min(ideal.length);
-        let (mut counted, mut ticks, mut t) = (0.0, self.tick, begun);
+    fn segment(&self, ideal: &Trapezoid, start_time: f64, least_way: f64) -> (f64, f64) {
+        let start = ideal.way(start_time);
+        let end_way = (start + least_way).min(ideal.length);
+        let (mut counted_time, mut ticks, mut t) = (0.0, self.tick, start_time);
         loop {
-            let rest = ticks - counted;
+            let rest = ticks - counted_time;
             if t < ideal.ramp && t + rest > ideal.ramp {
-                counted += 2.0 * (ideal.way(ideal.ramp) - start) / (ideal.acceleration * t + ideal.top);
+                counted_time += 2.0 * (ideal.way(ideal.ramp) - start) / (ideal.acceleration * t + ideal.top);
                 t = ideal.ramp;
             } else {
                 let end = (t + rest).min(ideal.total);
-                counted += end - t;
+                counted_time += end - t;
                 t = end;
             }
-            if t >= ideal.total || (counted >= ticks - ROUNDING && ideal.way(t) >= enough - ROUNDING) {
-                return (counted, t);
+            if t >= ideal.total || (counted_time >= ticks - ROUNDING && ideal.way(t) >= end_way - ROUNDING) {
+                return (counted_time, t);
             }
             // A time that is counted too long may exceed a tick.
-            while counted >= ticks - ROUNDING {
+            while counted_time >= ticks - ROUNDING {
                 ticks += self.tick;
             }
         }
     }
 }
 
-/// The time that FluidNC gives a step which should take `told`, s. It computes the divisor of a step (8 at most) with a product
+/// The time that FluidNC gives a step which should take `step_time`, s. It computes the divisor of a step (8 at most) with a product
 /// of 32 bits, which wraps around at every multiple of 26.8 ms: a step that takes one of them to half a per cent is divided too
 /// little, and cut off at 16 bits of 20 MHz (repository bdring/FluidNC, Stepper.cpp, `timerTicks * amassFactor`).
-fn wrapped(told: f64) -> f64 {
+fn wrapped(step_time: f64) -> f64 {
     const HZ: f64 = 20e6;
     const WRAP: f64 = 4_294_967_296.0;
-    let (mut ticks, mut divided) = ((HZ * told).ceil(), 1.0);
+    let (mut ticks, mut divided) = ((HZ * step_time).ceil(), 1.0);
     while divided < 8.0 && (ticks * 8_000.0) % WRAP >= HZ {
         (ticks, divided) = ((0.5 * ticks).floor(), 2.0 * divided);
     }
@@ -195,8 +196,8 @@ mod tests {
             (200.0, [16.0, 0.0, 0.0], 0.31216),
             (500.0, [12.0, 12.0, 0.0], 0.32858),
         ] {
-            let found = Stepper::GRBL.seconds(steps, SPEED, acceleration);
-            assert!((found - seconds).abs() < 5e-5, "{acceleration} {steps:?}: {found}");
+            let computed = Stepper::GRBL.seconds(steps, SPEED, acceleration);
+            assert!((computed - seconds).abs() < 5e-5, "{acceleration} {steps:?}: {computed}");
         }
     }
 

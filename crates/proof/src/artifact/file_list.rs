@@ -24,12 +24,12 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
 
 /// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
-    all(spec, dialect, design, request, true)
+    list_files(spec, dialect, design, request, true)
 }
 
 /// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
 pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
-    let mut outputs = all(spec, Dialect::Generic, design, request, false);
+    let mut outputs = list_files(spec, Dialect::Generic, design, request, false);
     outputs.retain(|output| output.paper.is_some());
     outputs
 }
@@ -110,7 +110,13 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
 /// All files of `design`: with `fits` as they are written, else with those on paper that are not.
 ///
 /// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
-fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
+fn list_files(
+    spec: &Spec,
+    dialect: Dialect,
+    design: &Design,
+    request: &KindRequest,
+    fits: bool,
+) -> Vec<Output> {
     let mut outputs: Vec<Output> = Parts::Sources.whole_design(spec).collect();
     // A press runs no programs.
     for kind in Parts::Programs.kinds().into_iter().filter(|_| spec.press.is_none()) {

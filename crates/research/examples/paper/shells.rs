@@ -165,7 +165,7 @@ fn compute_coarse(points: u32, grading: &str) -> Result<String, ShellFault> {
     let edge = 1.0 / COARSE;
     let sizes = match grading {
         "even" => Sizes { hinge: edge, point: edge, arm: edge },
-        _ => Sizes::across(1.0, COARSE),
+        _ => Sizes::for_tube(1.0, COARSE),
     };
     let flat = star.expect("it is in the set").flat();
     let found = star_by_sizes(&flat, Objects::Radii(&[]), (&sizes, 2), &Watch::default())?;

@@ -26,7 +26,7 @@ pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
         &star.star,
         |moves, width, ratios| {
             place_cell.set(Some(place(moves, ratios)));
-            Correction::trend(moves, width, ratios).with(&moved)
+            Correction::trend(moves, width, ratios).with_residuals(&moved)
         },
         |case, inflated, own| {
             let (moves, rest) = (&case.mechanism, &own.rest);

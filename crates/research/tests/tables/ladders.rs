@@ -25,7 +25,7 @@ fn the_shipped_table_is_what_shells_say() {
         let found = climbed.arms().expect("sections");
         assert_eq!(found.len(), arms::PRESSURES);
         for [b, angle, angle_error, give, give_error] in found {
-            let shipped = arms::arms(b, tau, r_star).expect("on the grid").at(climbed.ladder.arc());
+            let shipped = arms::arms(b, tau, r_star).expect("on the grid").arms(climbed.ladder.arc());
             let (delta, g) = (shipped.angle.to_degrees(), shipped.give.to_degrees());
             assert!((angle - delta).abs() < angle_error.max(0.5), "{b}: {angle} +- {angle_error}, {delta}");
             assert!((give - g).abs() < give_error.max(open), "{b}: {give} +- {give_error}, {g}");

@@ -43,14 +43,14 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Machine) -> Script {
 
 /// Reports an `end` that leaves a heater on that has a number or a name: `M104 S0` is for the tool in use.
 fn check_heater_off(program: &mut Section<'_, '_>, end: &[String], heating: &Heating) {
-    let off = match heating {
+    let heater_off = match heating {
         Heating::Operator | Heating::Hotend(None) => return,
         Heating::Hotend(Some(number)) => format!("M104 T{number} S0"),
         Heating::Heater(name) => format!("SET_HEATER_TEMPERATURE HEATER={name} TARGET=0"),
     };
-    if program.contains("end") && !end.contains(&off) {
+    if program.contains("end") && !end.contains(&heater_off) {
         let problem = format!("`end` does not turn off the heater of `heating`, \"{}\"", heating.name());
-        program.refuse(FaultCode::ProgramLine, "end", problem, format!("must hold \"{off}\""));
+        program.refuse(FaultCode::ProgramLine, "end", problem, format!("must hold \"{heater_off}\""));
     }
 }
 

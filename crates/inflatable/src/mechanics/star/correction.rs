@@ -104,7 +104,7 @@ const CURVED: [f64; 2] = [1.424, 20.8];
 impl Correction {
     /// The correction of `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
     pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
-        Self::trend(star, width, ratios).with(&Residuals::of(star, ratios))
+        Self::trend(star, width, ratios).with_residuals(&Residuals::new(star, ratios))
     }
 
     /// The closed forms alone, without what shells give beyond them.
@@ -139,7 +139,7 @@ impl Correction {
 
     /// The correction with `residuals`.
     #[must_use]
-    pub fn with(self, residuals: &Residuals) -> Self {
+    pub fn with_residuals(self, residuals: &Residuals) -> Self {
         let Residuals { angle, radius, stiffness, force } = *residuals;
         Self {
             angle_offset: angle,
@@ -183,7 +183,7 @@ impl Correction {
     }
 
     /// The stiffness of a hinge between the star's arms, from that of the table's hinge; both over p W^3.
-    pub fn bent(&self, stiffness: f64) -> f64 {
+    pub fn stiffness_between_arms(&self, stiffness: f64) -> f64 {
         stiffness / (1.0 + stiffness * self.arm_compliance).max(LEAST_LEFT)
     }
 
@@ -274,11 +274,18 @@ mod tests {
         let bends = Correction::trend(&star, 0.8, RATIOS).arm_compliance;
         assert!((bends / scale - 2.0 * w / rigidity).abs() < 1e-12 * bends / scale);
         let correction = corrected(star).correction;
-        assert!(correction.bent(2.0) < 2.0 && (1.0 / correction.bent(2.0) - 0.5 - bends).abs() < 1e-12);
+        assert!(
+            correction.stiffness_between_arms(2.0) < 2.0
+                && (1.0 / correction.stiffness_between_arms(2.0) - 0.5 - bends).abs() < 1e-12
+        );
         // Shorter arms than the table's stiffen, and never turn a hinge around.
         let short = Correction::trend(&paper(7), 0.8, Ratios { stretch: 0.1, ..RATIOS });
-        assert!(short.arm_compliance < 0.0 && short.bent(0.3) > 0.3 && short.bent(1e3) > 0.0);
-        assert_eq!(Correction::default().bent(2.0), 2.0);
+        assert!(
+            short.arm_compliance < 0.0
+                && short.stiffness_between_arms(0.3) > 0.3
+                && short.stiffness_between_arms(1e3) > 0.0
+        );
+        assert_eq!(Correction::default().stiffness_between_arms(2.0), 2.0);
     }
 
     #[test]
@@ -320,7 +327,7 @@ mod tests {
     fn residuals_move_angle_rim_and_stiffness_and_the_force_between_the_openings() {
         let trend = Correction::trend(&paper(5), 0.8, RATIOS);
         let residuals = Residuals { angle: 0.01, radius: 0.02, stiffness: 0.1, force: [0.1, 0.3, 0.0] };
-        let corrected_trend = trend.with(&residuals);
+        let corrected_trend = trend.with_residuals(&residuals);
         assert!(
             (corrected_trend.rim_offset - trend.rim_offset - 0.02).abs() < 1e-15
                 && corrected_trend.angle_offset == 0.01
@@ -332,7 +339,10 @@ mod tests {
             assert!((force(opening) - expected).abs() < 1e-12, "{opening}");
         }
         assert!((force((0.15_f64 * 0.45).sqrt()) - 0.2).abs() < 1e-12);
-        assert_eq!(trend.with(&Residuals::default()), trend);
-        assert_eq!(Correction::new(&paper(5), 0.8, RATIOS), trend.with(&Residuals::of(&paper(5), RATIOS)));
+        assert_eq!(trend.with_residuals(&Residuals::default()), trend);
+        assert_eq!(
+            Correction::new(&paper(5), 0.8, RATIOS),
+            trend.with_residuals(&Residuals::new(&paper(5), RATIOS))
+        );
     }
 }

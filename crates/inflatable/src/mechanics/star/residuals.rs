@@ -83,15 +83,15 @@ struct LastStar {
 
 impl Residuals {
     /// The residuals of `star` with `ratios`.
-    pub fn of(star: &Mechanism, ratios: Ratios) -> Self {
+    pub fn new(star: &Mechanism, ratios: Ratios) -> Self {
         static TABLE: LazyLock<Vec<LaneBlock>> = LazyLock::new(|| read(SHIPPED));
         thread_local! {
             static LAST: RefCell<LastStar> = RefCell::default();
         }
-        LAST.with_borrow_mut(|last| Self::at(&place(star, ratios), &TABLE, last))
+        LAST.with_borrow_mut(|last| Self::interpolated(&place(star, ratios), &TABLE, last))
     }
 
-    fn at(place: &StarPlace, table: &[LaneBlock], last: &mut LastStar) -> Self {
+    fn interpolated(place: &StarPlace, table: &[LaneBlock], last: &mut LastStar) -> Self {
         // 1 + q/4 = 1 + (u - v)^2, u and v being the halved ratios of two places.
         let place = halved(place);
         let (slow, fast) = (SLOW.map(|i| place[i]), FAST.map(|i| place[i]));
@@ -195,7 +195,7 @@ mod tests {
                     *sum += weight * kernel(squared_distance);
                 }
             }
-            let Residuals { angle, radius, stiffness, force } = Residuals::of(&star, RATIOS);
+            let Residuals { angle, radius, stiffness, force } = Residuals::new(&star, RATIOS);
             let residuals = [angle, radius, stiffness, force[0], force[1], force[2]];
             assert!(
                 residuals.iter().zip(sums).all(|(residuals, sum)| (residuals - sum).abs() < 3e-6),
@@ -208,13 +208,13 @@ mod tests {
     #[test]
     fn they_do_not_depend_on_the_star_before() {
         let five_points = paper(5);
-        let first = Residuals::of(&five_points, RATIOS);
+        let first = Residuals::new(&five_points, RATIOS);
         let like_it = Mechanism { tip_angle: 0.9, ..five_points };
         for (before, ratios) in
             [(like_it, RATIOS), (paper(7), RATIOS), (five_points, Ratios { stretch: 0.02, ..RATIOS })]
         {
-            assert_ne!(Residuals::of(&before, ratios), first);
-            assert_eq!(Residuals::of(&five_points, RATIOS), first);
+            assert_ne!(Residuals::new(&before, ratios), first);
+            assert_eq!(Residuals::new(&five_points, RATIOS), first);
         }
     }
 
@@ -222,7 +222,7 @@ mod tests {
     fn they_fade_with_the_distance_from_the_computed_stars() {
         let residual_at = |bendability| {
             let Residuals { angle, radius, stiffness, force } =
-                Residuals::of(&paper(5), Ratios { bendability, ..RATIOS });
+                Residuals::new(&paper(5), Ratios { bendability, ..RATIOS });
             [angle, radius, stiffness, force[0]].into_iter().map(f64::abs).fold(0.0, f64::max)
         };
         assert!(residual_at(1e12) < 0.1 * residual_at(1e3), "{} {}", residual_at(1e12), residual_at(1e3));
@@ -235,6 +235,6 @@ mod tests {
         let unscaled = flat(0.05, Mechanism { tip_radius: 0.002, ..paper(5) });
         let Mechanism { arm, width, tip_radius, .. } = unscaled;
         let two = Mechanism { arm: 2.0 * arm, width: 2.0 * width, tip_radius: 2.0 * tip_radius, ..unscaled };
-        assert_eq!(Residuals::of(&unscaled, RATIOS), Residuals::of(&two, RATIOS));
+        assert_eq!(Residuals::new(&unscaled, RATIOS), Residuals::new(&two, RATIOS));
     }
 }

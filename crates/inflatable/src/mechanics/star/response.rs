@@ -109,8 +109,9 @@ impl<'a> Inflated<'a> {
 
     /// The stiffness of tip and corner in the equilibrium; the ratio does not depend on the pressure, which may be 0.
     fn weights(&self) -> [f64; 2] {
-        let weight =
-            |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
+        let weight = |hinge: Hinge, state: &HingeState| {
+            self.star.correction.stiffness_between_arms(-state.curvature / hinge.arc())
+        };
         [weight(self.star.tip(), &self.hinges[0]), weight(self.star.corner(), &self.hinges[1])]
     }
 

@@ -32,7 +32,7 @@ pub trait Problem<const N: usize> {
     /// Jacobian of the right side: row by row, by component of y.
     fn jacobian(&self, x: f64, y: &[f64; N]) -> [[f64; N]; N];
     /// Components fixed at the left end, with their values.
-    fn left(&self) -> &[(usize, f64)];
+    fn values_at_left(&self) -> &[(usize, f64)];
     /// Components fixed at the right end, with their values; `N` together with the left ones.
     fn right(&self) -> &[(usize, f64)];
 }
@@ -160,7 +160,7 @@ impl<const N: usize> Solution<N> {
     ) -> Vec<[f64; N]> {
         let Profile { mesh, values } = &self.profile;
         let mut right = vec![0.0; N * mesh.len()];
-        let first = problem.left().len();
+        let first = problem.values_at_left().len();
         for i in 0..mesh.len() - 1 {
             let h = mesh[i + 1] - mesh[i];
             let slope = |j: usize| problem.slope(mesh[j], &values[j]);
@@ -237,7 +237,7 @@ fn scaled<const N: usize>(step: &[f64], profile: &Profile<N>) -> f64 {
 fn defects<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Option<Vec<f64>> {
     let Profile { mesh, values } = profile;
     let mut defects = Vec::with_capacity(N * mesh.len());
-    defects.extend(problem.left().iter().map(|&(k, fixed)| values[0][k] - fixed));
+    defects.extend(problem.values_at_left().iter().map(|&(k, fixed)| values[0][k] - fixed));
     let mut f0 = problem.slope(mesh[0], &values[0]);
     for i in 0..mesh.len() - 1 {
         let (a, b) = (mesh[i], mesh[i + 1]);
@@ -259,9 +259,9 @@ fn matrix<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Ba
     // N rows for each interval, with its derivatives by the values at both of its ends. The value in the interval's
     // middle depends on both ends, which the chain rule accounts for.
     let Profile { mesh, values } = profile;
-    let first = problem.left().len();
+    let first = problem.values_at_left().len();
     let mut matrix = Banded::zero(N * mesh.len(), first + N - 1, 2 * N - 1 - first);
-    for (row, &(k, _)) in problem.left().iter().enumerate() {
+    for (row, &(k, _)) in problem.values_at_left().iter().enumerate() {
         matrix.set(row, k, 1.0);
     }
     let mut f0 = problem.slope(mesh[0], &values[0]);

@@ -27,7 +27,7 @@ impl Problem<2> for Layers {
     fn jacobian(&self, _: f64, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[0.0, 1.0], [1.0 / (self.eps * self.eps), 0.0]]
     }
-    fn left(&self) -> &[(usize, f64)] {
+    fn values_at_left(&self) -> &[(usize, f64)] {
         &self.left
     }
     fn right(&self) -> &[(usize, f64)] {

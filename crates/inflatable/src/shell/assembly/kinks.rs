@@ -6,7 +6,7 @@
 //! areas A and A', the energy of equilateral triangles on a cylinder is that of a plate. (Bergou, Wardetzky, Harmon, Zorin and Grinspun,
 //! "A quadratic bending model for inextensible surfaces", 2006.)
 
-use crate::shell::element::vector::{Vector, along, dot};
+use crate::shell::element::vector::{Vector, add_scaled, dot};
 
 /// An edge between two triangles.
 #[derive(Clone, Debug)]
@@ -31,20 +31,20 @@ impl Kink {
     }
 
     /// The root of S times k.
-    fn of(&self, shape: &[Vector]) -> Vector {
+    fn root(&self, shape: &[Vector]) -> Vector {
         let points = self.corners.iter().zip(self.weights);
-        points.fold([0.0; 3], |sum, (corner, weight)| along(sum, weight, shape[*corner]))
+        points.fold([0.0; 3], |sum, (corner, weight)| add_scaled(sum, weight, shape[*corner]))
     }
 
     pub(crate) fn energy(&self, shape: &[Vector]) -> f64 {
-        let kink = self.of(shape);
+        let kink = self.root(shape);
         dot(kink, kink) / 2.0
     }
 
     pub(crate) fn add_forces(&self, shape: &[Vector], forces: &mut [Vector]) {
-        let kink = self.of(shape);
+        let kink = self.root(shape);
         for (corner, weight) in self.corners.iter().zip(self.weights) {
-            forces[*corner] = along(forces[*corner], weight, kink);
+            forces[*corner] = add_scaled(forces[*corner], weight, kink);
         }
     }
 }

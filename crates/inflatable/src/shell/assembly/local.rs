@@ -62,7 +62,7 @@ impl Slopes {
 }
 
 /// Energy of a triangle by its own corners alone: membrane, pressure, and the moments `turning` on its folds.
-fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads) -> Square {
+fn of_corners(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads) -> Square {
     let mut hessian = [[0.0; 9]; 9];
     let membrane = sheet.membrane(piece, x);
     let (strain, stress) = membrane.rows(sheet.fabric, &piece.flat);
@@ -116,7 +116,7 @@ pub(crate) fn fill(
     // The first nine unknowns are the triangle's own corners, the next nine the corners beyond its sides, and the last
     // three the leans of its sides. A fold couples all of them through the bending stiffness k, so each block is a
     // product of slopes with k. Where two sides share the corner beyond, its pair is counted for both orders.
-    let mut corners = own(sheet, piece, piece.corners.map(|corner| points[corner]), facet, loads);
+    let mut corners = of_corners(sheet, piece, piece.corners.map(|corner| points[corner]), facet, loads);
     let mut slopes = Slopes::new(piece, facet, facets);
     if loads.turned {
         turn(&mut corners, piece, supports);

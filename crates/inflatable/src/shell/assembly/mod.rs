@@ -217,7 +217,7 @@ impl Assembly {
         let (mut values, mut second) =
             (std::mem::take(&mut self.values), std::mem::take(&mut self.second_values));
         let halves = vec![(0..half, &mut values), (half..self.sheet.pieces.len(), &mut second)];
-        Threads::available().each(halves, |(triangles, values)| {
+        Threads::available().run_each(halves, |(triangles, values)| {
             self.add_hessians(triangles, state, pressure, tangent, values);
         });
         values.iter_mut().zip(&second).for_each(|(value, second)| *value += second);

@@ -3,7 +3,7 @@
 use crate::shell::assembly::sheet::{Beyond, Piece, State};
 use crate::shell::assembly::{Assembly, part_of_fold};
 use crate::shell::element::bending;
-use crate::shell::element::vector::{along, minus, times};
+use crate::shell::element::vector::{add_scaled, minus, times};
 use crate::shell::element::{LAST, NEXT};
 
 impl Assembly {
@@ -54,10 +54,10 @@ impl Assembly {
                 let sagitta =
                     [0, 1].map(|c| finer.sheet.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
                 let chord = times(0.5, minus(state.points[b], state.points[a]));
-                let mut place = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
-                place = along(place, 1.0, [sagitta[0], sagitta[1], 0.0]);
+                let mut place = add_scaled(add_scaled(state.points[a], 1.0, chord), -bow, facet.normal);
+                place = add_scaled(place, 1.0, [sagitta[0], sagitta[1], 0.0]);
                 let part = 1.0 / sides[piece.edges[i]];
-                fine.points[middle] = along(fine.points[middle], part, place);
+                fine.points[middle] = add_scaled(fine.points[middle], part, place);
             }
         }
         finer.hold(&mut fine);

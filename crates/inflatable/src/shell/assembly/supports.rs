@@ -59,7 +59,7 @@ impl Supports {
     ///
     /// A border on a plane that `planes` does not have is not held.
     pub fn new(mesh: &Mesh, planes: Vec<Plane>) -> Self {
-        let mut supports = Self { planes, ..Self::none(mesh.points.len()) };
+        let mut supports = Self { planes, ..Self::free(mesh.points.len()) };
         for edge in &mesh.edges {
             for point in edge.ends {
                 match edge.border {
@@ -80,7 +80,7 @@ impl Supports {
     }
 
     /// The supports of a free sheet of `count` points.
-    pub fn none(count: usize) -> Self {
+    pub fn free(count: usize) -> Self {
         let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };
         Self { planes: Vec::new(), holds: vec![free; count] }
     }

@@ -3,7 +3,7 @@
 use crate::shell::assembly::numbering::{KINK, NONE};
 use crate::shell::assembly::sheet::{self, Piece};
 use crate::shell::assembly::{Assembly, Compression, Plane, Sheet, State};
-use crate::shell::element::vector::{Vector, along, dot};
+use crate::shell::element::vector::{Vector, add_scaled, dot};
 
 impl Assembly {
     /// Puts the points of `state` back to where the supports keep them: on rims and in mirror planes.
@@ -14,7 +14,7 @@ impl Assembly {
             }
             if let Some(plane) = hold.plane {
                 let plane = self.supports.planes[plane];
-                *point = along(*point, plane.distance(*point), plane.upright());
+                *point = add_scaled(*point, plane.distance(*point), plane.upright());
             }
         }
     }
@@ -24,7 +24,8 @@ impl Assembly {
         for (point, numbers) in self.numbering.points.iter().enumerate() {
             let axes = &self.supports.holds[point].axes;
             for (number, axis) in numbers.iter().zip(axes).filter(|(number, _)| **number != NONE) {
-                state.points[point] = along(state.points[point], fraction * step[*number as usize], *axis);
+                state.points[point] =
+                    add_scaled(state.points[point], fraction * step[*number as usize], *axis);
             }
         }
         for (lean, number) in state.leans.iter_mut().zip(&self.numbering.edges) {

@@ -145,7 +145,7 @@ pub fn actuator(
     if angles.len() > MOST_ANGLES {
         return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
-    let coarsest = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let coarsest = modelled.meshed(&Sizes::for_tube(1.0, fineness.cells))?;
     let hold = |meshed: &Meshed, sheet: &mut Sheet| {
         let mut supports = modelled.supports(&meshed.mesh);
         case.margin.apply(meshed, sheet, &mut supports);

@@ -48,7 +48,7 @@ const NOISE: f64 = 1e-4;
 pub(super) fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCell, ShellFault> {
     case.tube.check()?;
     let region = mesh::HingeSector { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
-    let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let coarsest = region.mesh(&Sizes::for_tube(1.0, fineness.cells))?;
     let hold = |meshed: &Meshed, _: &mut Sheet| {
         Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)])
     };
@@ -124,7 +124,7 @@ impl Turning<'_> {
     /// dPi/da by differences of fourth order, every point held but those of the second plane.
     fn moment(&self, solver: &mut Solver, state: &State, angle: f64) -> f64 {
         let mut is_turned = vec![false; self.mesh.points.len()];
-        for edge in self.mesh.along(Border::Mirror(plane::SECOND)) {
+        for edge in self.mesh.border_edges(Border::Mirror(plane::SECOND)) {
             self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
         }
         let mut energy_at = |by: f64| {

@@ -22,7 +22,7 @@ struct Part {
 }
 
 impl Part {
-    fn all(sector: &HalfSector) -> impl Iterator<Item = Self> {
+    fn parts(sector: &HalfSector) -> impl Iterator<Item = Self> {
         let (count, half_angle) = (2 * sector.n, sector.half_angle());
         [false, true]
             .into_iter()
@@ -62,7 +62,7 @@ impl Whole {
             Mesh { points: Vec::new(), triangles: Vec::new(), triangle_edges: Vec::new(), edges: Vec::new() };
         let mut state = State::default();
         let (mut points, mut edges) = (BTreeMap::new(), BTreeMap::new());
-        for part in Part::all(sector) {
+        for part in Part::parts(sector) {
             let point: Vec<usize> = (0..half.points.len())
                 .map(|k| {
                     let [x, y] = half.points[k];
@@ -153,7 +153,7 @@ fn held_in_space(mesh: &Mesh) -> Supports {
 /// Half a sector of the paper's star with `points` points and this tip angle at `pressure`, from flat.
 fn half_a_sector(sector: &HalfSector, pressure: f64, cells: f64) -> (Mesh, Solver, Equilibrium) {
     let paper_tube = tube(0.03, pressure);
-    let mesh = sector.mesh(&Sizes::across(1.0, cells)).expect("a mesh").mesh;
+    let mesh = sector.mesh(&Sizes::for_tube(1.0, cells)).expect("a mesh").mesh;
     let supports = Supports::new(&mesh, vec![Plane::first(), Plane::second(sector.half_angle())]);
     let mut solver = Solver::new(Sheet::new(&mesh, paper_tube.scaled()), supports).expect("small");
     let equilibrium = paper_tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");

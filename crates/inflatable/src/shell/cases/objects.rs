@@ -277,7 +277,7 @@ mod tests {
             r_e: 1.0 / 30.0,
         };
         let modelled = ModelledSector { sector, margin: MarginWidths::default() };
-        let mesh = modelled.meshed(&Sizes::across(1.0, cells)).expect("a mesh").mesh;
+        let mesh = modelled.meshed(&Sizes::for_tube(1.0, cells)).expect("a mesh").mesh;
         let (sheet, supports) = (Sheet::new(&mesh, paper_tube.scaled()), modelled.supports(&mesh));
         let mut solver = Solver::new(sheet, supports).expect("small");
         let obstacles = modelled.obstacles();

@@ -26,7 +26,7 @@ pub struct Watch<'a> {
 
 impl Watch<'_> {
     /// Runs `work`, a part of this computation that lasts from `start` to `end` of it, 0 to 1, and reports its own progress as 0 to 1.
-    pub fn within<T>(&self, [start, end]: [f64; 2], work: impl FnOnce(&Watch<'_>) -> T) -> T {
+    pub fn run_part<T>(&self, [start, end]: [f64; 2], work: impl FnOnce(&Watch<'_>) -> T) -> T {
         let report = |part: f64, step: &str| self.tell(start + (end - start) * part, step);
         work(&Watch { progress: self.progress.is_some().then_some(&report), ..self.clone() })
     }
@@ -52,7 +52,7 @@ pub struct Evidence {
 
 impl Evidence {
     /// The evidence of two computations on the same meshes, this one after `earlier`.
-    pub(crate) fn after(&self, earlier: &Self) -> Self {
+    pub(crate) fn join(&self, earlier: &Self) -> Self {
         let efforts = earlier.efforts.iter().chain(&self.efforts).copied().collect();
         Self { unknowns: earlier.unknowns.clone(), efforts, residual: self.residual.max(earlier.residual) }
     }
@@ -312,12 +312,12 @@ mod tests {
         let record = |part: f64, _: &str| parts.borrow_mut().push(part);
         let watch = Watch { progress: Some(&record), ..Watch::default() };
         let report_ends = |watch: &Watch| [0.0, 1.0].iter().for_each(|part| watch.tell(*part, "step"));
-        watch.within([0.0, 0.5], |watch| {
-            watch.within([0.0, 0.5], report_ends);
-            watch.within([0.5, 1.0], report_ends);
+        watch.run_part([0.0, 0.5], |watch| {
+            watch.run_part([0.0, 0.5], report_ends);
+            watch.run_part([0.5, 1.0], report_ends);
         });
-        watch.within([0.5, 1.0], report_ends);
+        watch.run_part([0.5, 1.0], report_ends);
         assert_eq!(*parts.borrow(), [0.0, 0.25, 0.25, 0.5, 0.5, 1.0]);
-        assert!(Watch::default().within([0.0, 0.5], |watch| watch.progress.is_none()));
+        assert!(Watch::default().run_part([0.0, 0.5], |watch| watch.progress.is_none()));
     }
 }

@@ -95,6 +95,6 @@ impl ModelledSector {
 /// The point of a border that is nearest to `place` on the flat sheet.
 fn nearest(mesh: &Mesh, place: [f64; 2], border: Border) -> usize {
     let flat_distance = |point: &usize| distance(mesh.points[*point], place);
-    let rim = mesh.along(border).flat_map(|edge| mesh.edges[edge].ends);
+    let rim = mesh.border_edges(border).flat_map(|edge| mesh.edges[edge].ends);
     rim.min_by(|a, b| flat_distance(a).total_cmp(&flat_distance(b))).unwrap_or_default()
 }

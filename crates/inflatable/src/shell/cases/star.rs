@@ -227,7 +227,7 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes(case, objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+    star_by_sizes(case, objects, (&Sizes::for_tube(1.0, fineness.cells), fineness.cuts), watch)
 }
 
 /// As [`star`], on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are cut into four. Half a

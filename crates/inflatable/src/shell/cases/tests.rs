@@ -36,7 +36,7 @@ fn v_actuator() -> VActuator {
 fn the_moment_is_the_energy_s_slope() {
     let case = v_actuator();
     let half = HalfActuator { r: 0.1, w: 1.0, l: 3.0, phi_0: case.angle };
-    let mesh = half.mesh(&Sizes::across(1.0, 4.0)).expect("a mesh").mesh;
+    let mesh = half.mesh(&Sizes::for_tube(1.0, 4.0)).expect("a mesh").mesh;
     let mut supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }]);
     let inner = (0..mesh.points.len()).filter(|k| mesh.points[*k][1] == 0.0);
     supports.fix(inner.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])).expect("a point"), 0);
@@ -75,9 +75,9 @@ fn an_actuator_coils_and_its_stiffness_is_the_moment_s_slope() {
     // The finest mesh's stiffness against the moments on both sides of its angle.
     let free = inflated.angle.meshes[2];
     let (angle_below, angle_above) = (free - 0.002, free + 0.002);
-    let bent =
+    let bent_actuator =
         actuator(&case, &[angle_below, angle_above], fineness, &Watch::default()).expect("an equilibrium");
-    let slope = (bent.moments[1].1.meshes[2] - bent.moments[0].1.meshes[2]) / 0.004;
+    let slope = (bent_actuator.moments[1].1.meshes[2] - bent_actuator.moments[0].1.meshes[2]) / 0.004;
     assert!((slope / inflated.stiffness.meshes[2] - 1.0).abs() < 1e-3, "{slope} {:?}", inflated.stiffness);
 }
 
@@ -126,7 +126,7 @@ fn arms_that_meet_press_and_do_not_pass() {
     let pressure = 37e3;
     let paper_tube = tube(0.03, pressure);
     let sector = HalfSector { n: 6, rho_0: 5.0 / 3.0, w: 1.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
-    let mesh = sector.mesh(&Sizes::across(1.0, 4.0)).expect("a mesh").mesh;
+    let mesh = sector.mesh(&Sizes::for_tube(1.0, 4.0)).expect("a mesh").mesh;
     let (sine, cosine) = (PI / 6.0).sin_cos();
     let tip = Plane { point: [0.0, 0.0], normal: [-sine, cosine] };
     let supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }, tip]);

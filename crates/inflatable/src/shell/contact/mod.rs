@@ -10,7 +10,7 @@
 //! a limit.
 
 use crate::shell::assembly::{Assembly, Plane, State};
-use crate::shell::element::vector::{Vector, along, dot, times};
+use crate::shell::element::vector::{Vector, add_scaled, dot, times};
 
 /// An obstacle that the sheet must not penetrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,25 +84,25 @@ struct TouchedPlace {
 }
 
 impl TouchedPlace {
-    fn at(x: Vector) -> Self {
+    fn new(x: Vector) -> Self {
         let distance = libm::hypot(x[0], x[1]);
         Self { direction: [x[0] / distance, x[1] / distance], height: x[2], pulled: [0.0; 2] }
     }
 
     /// Around the axis.
-    fn across(&self) -> Vector {
+    fn tangent(&self) -> Vector {
         [-self.direction[1], self.direction[0], 0.0]
     }
 
     /// How far the point at `x` has slid, around the axis and upwards. The object may have grown meanwhile.
     fn slid(&self, x: Vector) -> [f64; 2] {
-        [dot(self.across(), x), x[2] - self.height]
+        [dot(self.tangent(), x), x[2] - self.height]
     }
 }
 
 impl Sticking {
     /// Each point that sticks, with its place.
-    fn held(&self) -> impl Iterator<Item = (usize, &TouchedPlace)> {
+    fn sticking_points(&self) -> impl Iterator<Item = (usize, &TouchedPlace)> {
         self.places.iter().enumerate().filter_map(|(point, place)| Some((point, place.as_ref()?)))
     }
 }
@@ -178,11 +178,11 @@ impl Contact {
     /// The part of the energy that contact adds.
     pub(crate) fn energy(&self, state: &State) -> f64 {
         let mut energy = 0.0;
-        self.each(state, |area, kept, push, _, _, _| {
+        self.visit_pairs(state, |area, kept, push, _, _, _| {
             energy += area * (push * push - kept * kept) / (2.0 * self.stiffness);
         });
         if let Some(sticking) = &self.sticking {
-            for (point, place) in sticking.held() {
+            for (point, place) in sticking.sticking_points() {
                 let part = 0.5 * self.areas[sticking.obstacle][point] * sticking.stiffness;
                 let slid = place.slid(state.points[point]).into_iter().zip(place.pulled);
                 energy += slid.map(|(slid, pulled)| part * slid * (slid + 2.0 * pulled)).sum::<f64>();
@@ -193,33 +193,33 @@ impl Contact {
 
     /// Adds gradient and Hessian of that part to those of `assembly`.
     pub(crate) fn add(&self, state: &State, assembly: &mut Assembly) {
-        self.each(state, |area, _, push, point, normal, obstacle| {
+        self.visit_pairs(state, |area, _, push, point, normal, obstacle| {
             if push == 0.0 {
                 return;
             }
-            let across = [-normal[1], normal[0], 0.0];
+            let tangent = [-normal[1], normal[0], 0.0];
             let curvature_force = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
             assembly.add_at_point(point, times(-area * push, normal), |v| {
                 let pressed = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
-                let turned = curvature_force * (across[0] * v[0] + across[1] * v[1]);
-                along(times(pressed, normal), turned, across)
+                let turned = curvature_force * (tangent[0] * v[0] + tangent[1] * v[1]);
+                add_scaled(times(pressed, normal), turned, tangent)
             });
         });
         if let Some(sticking) = &self.sticking {
-            for (point, place) in sticking.held() {
+            for (point, place) in sticking.sticking_points() {
                 let stiffness = self.areas[sticking.obstacle][point] * sticking.stiffness;
-                let ([slide_around, slide_up], across) = (place.slid(state.points[point]), place.across());
+                let ([slide_around, slide_up], tangent) = (place.slid(state.points[point]), place.tangent());
                 let [pull_around, pull_up] = [slide_around + place.pulled[0], slide_up + place.pulled[1]];
-                let slope = along([0.0, 0.0, stiffness * pull_up], stiffness * pull_around, across);
+                let slope = add_scaled([0.0, 0.0, stiffness * pull_up], stiffness * pull_around, tangent);
                 assembly.add_at_point(point, slope, |v| {
-                    along([0.0, 0.0, stiffness * v[2]], stiffness * dot(across, v), across)
+                    add_scaled([0.0, 0.0, stiffness * v[2]], stiffness * dot(tangent, v), tangent)
                 });
             }
         }
     }
 
     /// Calls `see` with area, kept pressure, push max(0, q - k g), point, normal and obstacle of every pair.
-    fn each(&self, state: &State, mut see: impl FnMut(f64, f64, f64, usize, Vector, usize)) {
+    fn visit_pairs(&self, state: &State, mut see: impl FnMut(f64, f64, f64, usize, Vector, usize)) {
         for (index, obstacle) in self.obstacles.iter().enumerate() {
             for (point, area) in self.areas[index].iter().enumerate().filter(|(_, area)| **area > 0.0) {
                 let (gap, normal) = obstacle.gap(state.points[point]);
@@ -233,7 +233,7 @@ impl Contact {
     pub fn keep(&mut self, state: &State) -> ContactError {
         let mut worst = ContactError::default();
         let mut pushes = Vec::new();
-        self.each(state, |_, before, push, point, _, index| {
+        self.visit_pairs(state, |_, before, push, point, _, index| {
             let (gap, _) = self.obstacles[index].gap(state.points[point]);
             worst.penetration = worst.penetration.max(-gap);
             worst.change = worst.change.max((push - before).abs());
@@ -246,7 +246,7 @@ impl Contact {
         if let Some(sticking) = &mut self.sticking {
             let pressures = &self.pressures[sticking.obstacle];
             for ((place, x), pressure) in sticking.places.iter_mut().zip(&state.points).zip(pressures) {
-                let touched = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::at(*x)));
+                let touched = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::new(*x)));
                 *place = touched.map(|touched| {
                     let [slide_around, slide_up] = touched.slid(*x);
                     TouchedPlace {
@@ -267,9 +267,10 @@ impl Contact {
     /// The sum of all shear forces that hold points where they stick.
     pub fn shear(&self) -> f64 {
         let force = |sticking: &Sticking| {
-            let forces = sticking.held().map(|(point, TouchedPlace { pulled: [around, up], .. })| {
-                self.areas[sticking.obstacle][point] * sticking.stiffness * libm::hypot(*around, *up)
-            });
+            let forces =
+                sticking.sticking_points().map(|(point, TouchedPlace { pulled: [around, up], .. })| {
+                    self.areas[sticking.obstacle][point] * sticking.stiffness * libm::hypot(*around, *up)
+                });
             forces.sum::<f64>()
         };
         self.sticking.iter().map(force).sum()

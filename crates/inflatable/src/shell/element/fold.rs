@@ -11,7 +11,7 @@
 //! Derived by differentiating n |e| / |n|^2 in the triangle's own frame. The gradient is that of Bridson, Marino and
 //! Fedkiw, "Simulation of clothing with folds and wrinkles" (2003).
 
-use crate::shell::element::vector::{Vector, along, cross, dot, minus, times};
+use crate::shell::element::vector::{Vector, add_scaled, cross, dot, minus, times};
 use crate::shell::element::{LAST, NEXT, Square};
 
 /// A triangle in space, in the frames of its three edges.
@@ -73,7 +73,7 @@ impl Facet {
                 let twisted = -moments[i] * inverse * inverse / 2.0 * ends[k];
                 for l in 0..3 {
                     let of_h = bowed * weights[l] + twisted * ends[l];
-                    sums[k][l] = along(along(sums[k][l], of_h, h), turned * weights[l], e);
+                    sums[k][l] = add_scaled(add_scaled(sums[k][l], of_h, h), turned * weights[l], e);
                 }
             }
         }

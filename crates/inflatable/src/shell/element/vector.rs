@@ -20,6 +20,6 @@ pub(crate) fn times(factor: f64, a: Vector) -> Vector {
 }
 
 /// `a + factor b`.
-pub(crate) fn along(a: Vector, factor: f64, b: Vector) -> Vector {
+pub(crate) fn add_scaled(a: Vector, factor: f64, b: Vector) -> Vector {
     [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]]
 }

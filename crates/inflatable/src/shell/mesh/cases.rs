@@ -59,7 +59,7 @@ impl HingeSector {
         positive("the width W", self.w)?;
         sizes.check(self.w)?;
         radius("the inner radius R", self.r, self.w)?;
-        within("the arc", self.arc, PI)?;
+        check_angle("the arc", self.arc, PI)?;
         mesh(
             Strip::new(self.r, self.w).turn(StripSide::Left, self.r, self.arc),
             Border::Mirror(plane::SECOND),
@@ -87,7 +87,7 @@ impl HalfActuator {
         sizes.check(self.w)?;
         radius("the inner radius R", self.r, self.w)?;
         arm(self.l, self.w)?;
-        within("the angle phi_0", self.phi_0, PI)?;
+        check_angle("the angle phi_0", self.phi_0, PI)?;
         let strip = Strip::new(self.r, self.w).turn(StripSide::Left, self.r, 0.5 * (PI - self.phi_0));
         mesh(strip.straight(self.l), Border::Rim(rim::END), sizes, margin)
     }
@@ -126,7 +126,7 @@ impl HalfSector {
         sizes.check(self.w)?;
         radius("the tips' radius R_i", self.r_i, self.w)?;
         radius("the corners' radius R_e", self.r_e, self.w)?;
-        within("the tips' angle phi_i0", self.phi_i, PI - 2.0 * self.half_angle())?;
+        check_angle("the tips' angle phi_i0", self.phi_i, PI - 2.0 * self.half_angle())?;
         arm(self.l(), self.w)?;
         let phi_e = self.phi_i + 2.0 * self.half_angle();
         let strip = Strip::new(self.rho_0, self.w)
@@ -163,6 +163,6 @@ fn arm(value: f64, w: f64) -> Result<(), MeshFault> {
 }
 
 /// An angle between 0 and `maximum`.
-fn within(name: &'static str, value: f64, maximum: f64) -> Result<(), MeshFault> {
+fn check_angle(name: &'static str, value: f64, maximum: f64) -> Result<(), MeshFault> {
     check(value > 0.0 && value < maximum, name, value, "more than 0, and less than a straight hinge")
 }

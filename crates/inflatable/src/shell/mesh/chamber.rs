@@ -71,7 +71,7 @@ impl FlatChamber {
     }
 
     /// The chamber in units of `unit`.
-    pub fn by(&self, unit: f64) -> Self {
+    pub fn in_units(&self, unit: f64) -> Self {
         let scaled_paths = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
         Self {
             outline: scaled(&self.outline, 1.0 / unit),
@@ -130,7 +130,7 @@ impl FlatChamber {
         let walls = self.walls();
         let turn = (COARSE_TURN * coarse).clamp(TURN, MOST_TURN);
         let mut discs = Vec::new();
-        for piece in region.all() {
+        for piece in region.all_pieces() {
             let is_weld = piece.border == Border::Rim(rim::WELD);
             let curve = piece.curve;
             let length = curve.length();
@@ -138,10 +138,10 @@ impl FlatChamber {
             let count = (length / (0.5 * coarse)).ceil().clamp(1.0, MOST_SAMPLES);
             let mut step = 0.5;
             while step < count {
-                let (p, along) = (curve.point(step / count), curve.tangent(step / count));
-                let inward = along.perp();
-                let left = walls.across(p, inward, 1.0);
-                let right = if is_weld { walls.across(p, -inward, 1.0) } else { 1.0 };
+                let (p, tangent) = (curve.point(step / count), curve.tangent(step / count));
+                let inward = tangent.perp();
+                let left = walls.width(p, inward, 1.0);
+                let right = if is_weld { walls.width(p, -inward, 1.0) } else { 1.0 };
                 let size = coarse * (ALONG_WALLS * left.min(right)).max(NARROWEST);
                 discs.push((p, 0.5 * length / count, size.min(bow).min(length)));
                 step += 1.0;
@@ -150,7 +150,7 @@ impl FlatChamber {
         for path in self.curves() {
             discs.extend(self.sharp_corners(path).map(|p| (p, 0.0, coarse * AT_CORNERS)));
         }
-        Sizing::around(coarse, discs)
+        Sizing::on_discs(coarse, discs)
     }
 
     /// Corners of `path` that point into the chamber, and the ends of open curves.

@@ -34,7 +34,7 @@ const ROUNDS: usize = 20;
 pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault> {
     let border = BorderPoints::new(region, sizing);
     let (points, triangles) = fill_border(&border, sizing)?;
-    let pieces = region.all().copied().collect();
+    let pieces = region.all_pieces().copied().collect();
     Meshed::new(points, triangles, pieces, &border.pieces())
 }
 
@@ -87,7 +87,7 @@ impl BorderPoints {
         }
         border.outer = border.edges.len();
         for (index, weld) in region.welds.iter().enumerate() {
-            border.add_weld(sizing.along(&weld.curve), weld.curve.end(), piece + index);
+            border.add_weld(sizing.divide(&weld.curve), weld.curve.end(), piece + index);
         }
         border
     }
@@ -98,7 +98,7 @@ impl BorderPoints {
         let mut piece = Vec::new();
         let previous_pieces = pieces.iter().cycle().skip(pieces.len().saturating_sub(1));
         for (index, (this, previous_pieces)) in pieces.iter().zip(previous_pieces).enumerate() {
-            let mut run = sizing.along(&this.curve);
+            let mut run = sizing.divide(&this.curve);
             // A line's ends are given, those of an arc are computed.
             if let (Segment::Line(line), Some(first)) = (previous_pieces.curve, run.first_mut()) {
                 *first = line.end;
@@ -213,7 +213,7 @@ impl BorderPoints {
             for corners in self.inner(&triangulation) {
                 let [a, b, c] = corners.map(|at| point_of(at, &self.points, &seeds));
                 let center = circumcenter(a, b, c);
-                let excess = center.distance(a) / sizing.at(center);
+                let excess = center.distance(a) / sizing.edge_length(center);
                 if excess > LARGE {
                     large.push((excess, center));
                 }
@@ -222,7 +222,7 @@ impl BorderPoints {
                 .sort_by(|(a, p), (b, q)| b.total_cmp(a).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y)));
             let former_count = seeds.len();
             for (_, p) in large {
-                let size = sizing.at(p);
+                let size = sizing.edge_length(p);
                 let is_clear =
                     clear_of_points(&triangulation, p, LARGE * size) && self.has_room(p, CLEAR * size);
                 if is_clear && triangulation.insert(Point2::new(p.x, p.y)).is_ok() {
@@ -248,7 +248,7 @@ impl BorderPoints {
             let [a, b, c] = corners.map(|at| point_of(at, &self.points, seeds));
             smallest = angles([a, b, c].map(|p| [p.x, p.y])).into_iter().fold(smallest, f64::min);
             let middle = Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
-            let weight = signed_area([a, b, c].map(|p| [p.x, p.y])) / sizing.at(middle).powi(3);
+            let weight = signed_area([a, b, c].map(|p| [p.x, p.y])) / sizing.edge_length(middle).powi(3);
             for seed in corners.into_iter().filter_map(|corner| corner.checked_sub(border)) {
                 let [sum, x, y] = sums[seed];
                 sums[seed] = [sum + weight, x + weight * middle.x, y + weight * middle.y];

@@ -100,7 +100,7 @@ impl Meshed {
         let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: neighbour(rim.after) };
         let cut = edge.into_iter().map(|curve| Piece { curve, border: Border::Free });
         for (at, piece) in [outward].into_iter().chain(cut).chain([back]).enumerate() {
-            let run = sizing.along(&piece.curve);
+            let run = sizing.divide(&piece.curve);
             // The first point of the way out is the rim's.
             loop_pieces.extend(run.iter().map(|_| pieces.len()));
             points.extend(run.into_iter().skip(usize::from(at == 0)));
@@ -188,7 +188,7 @@ mod tests {
     fn a_margin_leaves_the_tube_as_it_is() {
         for star in stars() {
             for cells in SIZES {
-                let sizes = Sizes::across(1.0, cells);
+                let sizes = Sizes::for_tube(1.0, cells);
                 let bare = star.mesh(&sizes).expect("a mesh");
                 let widened = star.mesh_with(&sizes, WIDTHS).expect("a mesh");
                 assert_eq!(bare, star.mesh_with(&sizes, MarginWidths::default()).expect("a mesh"));
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn the_margin_has_its_area() {
         let star = stars()[0];
-        let coarse = star.mesh_with(&Sizes::across(1.0, 8.0), WIDTHS).expect("a mesh");
+        let coarse = star.mesh_with(&Sizes::for_tube(1.0, 8.0), WIDTHS).expect("a mesh");
         let fine = coarse.refined().expect("a finer mesh");
         let margin_area = |meshed: &Meshed| {
             (meshed.tube..meshed.mesh.triangles.len()).map(|t| meshed.mesh.area(t)).sum::<f64>()
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn an_actuator_has_a_margin_too_and_one_without_room_is_refused() {
         let half = HalfActuator { r: 0.1, w: 1.0, l: 4.0, phi_0: PI / 3.0 };
-        let sizes = Sizes::across(1.0, 6.0);
+        let sizes = Sizes::for_tube(1.0, 6.0);
         let widened = half.mesh_with(&sizes, MarginWidths { inner: 0.1, outer: 0.1 }).expect("a mesh");
         assert!(widened.tube < widened.mesh.triangles.len());
         for widths in [MarginWidths { inner: -1.0, outer: 0.0 }, MarginWidths { inner: 0.0, outer: f64::NAN }]

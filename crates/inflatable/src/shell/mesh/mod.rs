@@ -116,13 +116,13 @@ impl Mesh {
     }
 
     /// The edges of one border, in the order of all edges.
-    pub fn along(&self, border: Border) -> impl Iterator<Item = usize> {
+    pub fn border_edges(&self, border: Border) -> impl Iterator<Item = usize> {
         (0..self.edges.len()).filter(move |edge| self.edges[*edge].border == Some(border))
     }
 
     /// The point of a border that lies farthest in the direction of negative x; `None` if there is no such border.
     pub fn innermost(&self, border: Border) -> Option<usize> {
-        let points = self.along(border).flat_map(|edge| self.edges[edge].ends);
+        let points = self.border_edges(border).flat_map(|edge| self.edges[edge].ends);
         points.min_by(|a, b| self.points[*a][0].total_cmp(&self.points[*b][0]))
     }
 

@@ -110,7 +110,7 @@ impl Dissection {
         self.sort_along(direction, nodes);
         let count = nodes.len() * twentieths / 20;
         let (first, second) = nodes.split_at(count);
-        Cut { along: direction, before: count, separator: self.separators.between(first, second) }
+        Cut { along: direction, before: count, separator: self.separators.separator(first, second) }
     }
 
     fn unknowns(&self, nodes: &[usize]) -> usize {

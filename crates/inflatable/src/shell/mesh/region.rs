@@ -27,7 +27,7 @@ pub struct Region {
 
 impl Region {
     /// All its pieces, as edges of its meshes count them.
-    pub(super) fn all(&self) -> impl Iterator<Item = &Piece> {
+    pub(super) fn all_pieces(&self) -> impl Iterator<Item = &Piece> {
         self.pieces.iter().chain(self.holes.iter().flatten()).chain(&self.welds)
     }
 

@@ -47,7 +47,7 @@ impl Separators {
     }
 
     /// The fewest nodes without which no node of `first` is coupled to one of `second`, sorted.
-    pub(super) fn between(&mut self, first: &[usize], second: &[usize]) -> Vec<usize> {
+    pub(super) fn separator(&mut self, first: &[usize], second: &[usize]) -> Vec<usize> {
         for &node in second {
             self.in_second[node] = true;
         }
@@ -134,9 +134,9 @@ mod tests {
         // Two fans: 0 is coupled to 3, 4, 5 and 1, 2 to 6.
         let groups = [vec![0, 3], vec![0, 4], vec![0, 5], vec![1, 6], vec![2, 6]];
         let mut separators = Separators::new(Couplings::new(7, groups.into_iter()));
-        assert_eq!(separators.between(&[0, 1, 2], &[3, 4, 5, 6]), [0, 6]);
-        assert_eq!(separators.between(&[3, 4, 5, 6], &[2, 1, 0]), [0, 6]);
-        assert_eq!(separators.between(&[0], &[6]), [0; 0]);
+        assert_eq!(separators.separator(&[0, 1, 2], &[3, 4, 5, 6]), [0, 6]);
+        assert_eq!(separators.separator(&[3, 4, 5, 6], &[2, 1, 0]), [0, 6]);
+        assert_eq!(separators.separator(&[0], &[6]), [0; 0]);
     }
 
     #[test]
@@ -144,10 +144,10 @@ mod tests {
         // 0 may have 2 or 3, 1 only 2.
         let mut separators =
             Separators::new(Couplings::new(4, [vec![0, 2], vec![0, 3], vec![1, 2]].into_iter()));
-        assert_eq!(separators.between(&[0, 1], &[2, 3]), [0, 1]);
+        assert_eq!(separators.separator(&[0, 1], &[2, 3]), [0, 1]);
         // With 4 coupled to 2 as well, 2 has to go: 0 keeps 3.
         let groups = [vec![0, 2], vec![0, 3], vec![1, 2], vec![4, 2]];
         let mut separators = Separators::new(Couplings::new(5, groups.into_iter()));
-        assert_eq!(separators.between(&[0, 1, 4], &[2, 3]).len(), 2);
+        assert_eq!(separators.separator(&[0, 1, 4], &[2, 3]).len(), 2);
     }
 }

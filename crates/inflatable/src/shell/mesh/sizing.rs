@@ -20,7 +20,7 @@ impl Sizes {
     ///
     /// Measured on the paper's star of five points at 20 kPa: any grading of this kind comes as near with 37,000 unknowns as even
     /// hinges with 100,000, because the sheet folds sharply next to the rim that it turns on, and hardly anywhere else.
-    pub fn across(w: f64, cells: f64) -> Self {
+    pub fn for_tube(w: f64, cells: f64) -> Self {
         Self { hinge: w / cells, point: w / (32.0 * cells), arm: (2.5 * w / cells).min(w) }
     }
 
@@ -94,14 +94,14 @@ impl Sizing {
     }
 
     /// Edges of length `coarse` but on discs: centre, radius, and the length there.
-    pub(super) fn around(coarse: f64, discs: Vec<(Point, f64, f64)>) -> Self {
+    pub(super) fn on_discs(coarse: f64, discs: Vec<(Point, f64, f64)>) -> Self {
         let place = |(center, radius, size)| (Place::Disc { center, radius }, size);
         let places = discs.into_iter().map(place).filter(|(_, size)| *size < coarse).collect();
         Self { most: coarse, places }
     }
 
     /// Edge length at `p`.
-    pub(super) fn at(&self, p: Point) -> f64 {
+    pub(super) fn edge_length(&self, p: Point) -> f64 {
         self.places.iter().fold(self.most, |least, (place, size)| {
             if *size >= least {
                 return least;
@@ -115,15 +115,15 @@ impl Sizing {
     }
 
     /// Points of `curve` from its start to before its end, at the distances of their places.
-    pub(super) fn along(&self, curve: &Segment) -> Vec<Point> {
+    pub(super) fn divide(&self, curve: &Segment) -> Vec<Point> {
         let length = curve.length();
         // Number of edges up to a place: the integral of ds/h, by steps that are short compared with h.
         let mut samples = vec![(0.0, 0.0)];
         let (mut t, mut count) = (0.0, 0.0);
         while t < 1.0 {
-            let size = self.at(curve.point(t));
+            let size = self.edge_length(curve.point(t));
             let step = (0.05 * size / length).min(1.0 - t);
-            let middle = self.at(curve.point(t + 0.5 * step));
+            let middle = self.edge_length(curve.point(t + 0.5 * step));
             count += step * length / middle;
             t = if 1.0 - t - step < 1e-9 { 1.0 } else { t + step };
             samples.push((count, t));

@@ -34,7 +34,7 @@ fn star() -> impl Strategy<Value = (HalfSector, f64)> {
 /// It is a mesh by its triangles alone, its border lies on its pieces and is as long as they are, nearly, no triangle is
 /// thin, and the exact area follows from it and the finer one.
 fn check(meshed: &Meshed, thinnest: f64) -> Result<(), TestCaseError> {
-    let fine = made(meshed.refined())?;
+    let fine = test_case(meshed.refined())?;
     for meshed in [meshed, &fine] {
         let mesh = &meshed.mesh;
         let named = |ends| mesh.edges[mesh.edges.binary_search_by_key(&ends, |edge| edge.ends).ok()?].border;
@@ -80,7 +80,7 @@ fn on_curves(meshed: &Meshed) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-fn made<T>(result: Result<T, MeshFault>) -> Result<T, TestCaseError> {
+fn test_case<T>(result: Result<T, MeshFault>) -> Result<T, TestCaseError> {
     result.map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
@@ -89,13 +89,13 @@ proptest! {
 
     #[test]
     fn half_sectors_of_any_star((star, cells) in star()) {
-        check(&made(star.mesh(&Sizes::across(star.w, cells)))?, 20.0)?;
+        check(&test_case(star.mesh(&Sizes::for_tube(star.w, cells)))?, 20.0)?;
     }
 
     #[test]
     fn half_actuators(r in radius(), w in 10.0..100.0_f64, l in 0.01..8.0_f64, phi in 20.0..160.0_f64, cells in 5.0..10.0_f64) {
         let case = HalfActuator { r: r * w, w, l: l * w, phi_0: phi.to_radians() };
-        check(&made(case.mesh(&Sizes::across(w, cells)))?, 20.0)?;
+        check(&test_case(case.mesh(&Sizes::for_tube(w, cells)))?, 20.0)?;
     }
 
     #[test]
@@ -103,13 +103,13 @@ proptest! {
         let case = HingeSector { r: r * w, w, arc: arc.to_radians() };
         // Where the inner rim is a point, the two planes meet there, and the triangle between them is as narrow as half of the hinge.
         let thinnest = if r == 0.0 { 20.0_f64.min(0.5 * arc) } else { 20.0 };
-        check(&made(case.mesh(&Sizes::across(w, cells)))?, thinnest)?;
+        check(&test_case(case.mesh(&Sizes::for_tube(w, cells)))?, thinnest)?;
     }
 }
 
 #[test]
 fn the_same_bits_each_time() -> Result<(), MeshFault> {
-    let sizes = Sizes::across(30.0, 8.0);
+    let sizes = Sizes::for_tube(30.0, 8.0);
     let (first, two) = (PAPER.mesh(&sizes)?, PAPER.mesh(&sizes)?);
     assert_eq!(first, two);
     assert_eq!(first.refined()?, two.refined()?);
@@ -120,7 +120,7 @@ fn the_same_bits_each_time() -> Result<(), MeshFault> {
 #[test]
 fn a_half_sector_lies_between_its_planes() -> Result<(), MeshFault> {
     for star in [PAPER, HalfSector { r_i: 3.0, r_e: 6.0, ..PAPER }] {
-        let meshed = star.mesh(&Sizes::across(star.w, 6.0))?;
+        let meshed = star.mesh(&Sizes::for_tube(star.w, 6.0))?;
         let region = Region { pieces: meshed.pieces.clone(), holes: Vec::new(), welds: Vec::new() };
         // Arc lengths and area of a tube of constant width: along its middle.
         let (phi_i, phi_e) = (star.phi_i, star.phi_i + 2.0 * star.half_angle());
@@ -177,7 +177,7 @@ fn triangles_are_as_small_as_asked() -> Result<(), MeshFault> {
 
 #[test]
 fn what_cannot_be_meshed_is_refused() {
-    let sizes = Sizes::across(30.0, 6.0);
+    let sizes = Sizes::for_tube(30.0, 6.0);
     let name = |result: Result<Meshed, MeshFault>| match result {
         Err(MeshFault::Dimension { name, .. }) => name,
         other => panic!("{other:?}"),
@@ -196,7 +196,7 @@ fn what_cannot_be_meshed_is_refused() {
 
 #[test]
 fn a_whole_star_is_its_half_sector_2n_times() -> Result<(), MeshFault> {
-    let half = PAPER.mesh(&Sizes::across(30.0, 5.0))?;
+    let half = PAPER.mesh(&Sizes::for_tube(30.0, 5.0))?;
     let area = half.mesh.total_area();
     let (sector, star) = (half.unfolded(5, 2)?, half.unfolded(5, 10)?);
     assert_eq!(half.unfolded(5, 1)?, half);
@@ -258,7 +258,7 @@ fn fill(mesh: &Mesh, order: &[usize]) -> (usize, usize) {
 
 #[test]
 fn any_order_will_not_do() -> Result<(), MeshFault> {
-    let mesh = PAPER.mesh(&Sizes::across(30.0, 6.0))?.mesh;
+    let mesh = PAPER.mesh(&Sizes::for_tube(30.0, 6.0))?.mesh;
     let as_numbered: Vec<usize> = (0..mesh.points.len() + mesh.edges.len()).collect();
     assert!(fill(&mesh, &as_numbered).1 > 3 * fill(&mesh, &mesh.elimination_order()).1);
     Ok(())
@@ -267,8 +267,8 @@ fn any_order_will_not_do() -> Result<(), MeshFault> {
 #[test]
 fn dissection_keeps_the_factor_sparse() -> Result<(), MeshFault> {
     let actuator =
-        HalfActuator { r: 2.0, w: 20.0, l: 80.0, phi_0: PI / 3.0 }.mesh(&Sizes::across(20.0, 18.0))?;
-    for meshed in [actuator.refined()?, PAPER.mesh(&Sizes::across(30.0, 14.0))?.refined()?] {
+        HalfActuator { r: 2.0, w: 20.0, l: 80.0, phi_0: PI / 3.0 }.mesh(&Sizes::for_tube(20.0, 18.0))?;
+    for meshed in [actuator.refined()?, PAPER.mesh(&Sizes::for_tube(30.0, 14.0))?.refined()?] {
         let mesh = &meshed.mesh;
         let order = mesh.elimination_order();
         let mut sorted = order.clone();

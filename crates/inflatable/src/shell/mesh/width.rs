@@ -20,7 +20,7 @@ impl ChamberWalls {
     }
 
     /// The distance from `origin` along `direction` to the first wall, at most `reach`.
-    pub(super) fn across(&self, origin: Point, direction: Vec2, reach: f64) -> f64 {
+    pub(super) fn width(&self, origin: Point, direction: Vec2, reach: f64) -> f64 {
         // The wall on which `origin` lies is left out.
         let start = origin + direction * (1e-6 * reach);
         let ray = Line::new(start, origin + direction * reach);

@@ -31,7 +31,7 @@ impl Solver {
                 lever.constrain(&self.assembly, &self.held, &mut self.step);
             }
         }
-        self.experience.linear = self.factor.left();
+        self.experience.linear = self.factor.residual();
         Ok(())
     }
 

@@ -256,11 +256,11 @@ impl Solver {
     /// Restarts at `state` with a larger shift, which shortens the next step. Only where wrinkles come and go: there the Hessian is a poor
     /// model one step ahead; elsewhere a larger shift does not help.
     fn shorten_step(&mut self, state: &State, aim: Aim) -> Option<Energy> {
-        let (least, shift) = (least_shift(aim.pressure), self.experience.shift);
-        if !self.assembly.sheet.is_wrinkled() || shift > MOST_SHORTENED * least {
+        let (smallest_shift, shift) = (least_shift(aim.pressure), self.experience.shift);
+        if !self.assembly.sheet.is_wrinkled() || shift > MOST_SHORTENED * smallest_shift {
             return None;
         }
-        self.experience.shift = (60.0 * shift).max(6.0 * least);
+        self.experience.shift = (60.0 * shift).max(6.0 * smallest_shift);
         Some(self.linearise(state, aim.pressure))
     }
 

@@ -8,7 +8,7 @@
 
 use crate::shell::assembly::State;
 use crate::shell::contact::ContactPoint;
-use crate::shell::element::vector::{Vector, along, dot, minus, times};
+use crate::shell::element::vector::{Vector, add_scaled, dot, minus, times};
 use crate::shell::solver::factor::EXACT;
 use crate::shell::solver::newton::Solver;
 
@@ -37,7 +37,7 @@ impl Solver {
         self.assembly.advance(&mut moved, &answer, 1.0);
         let slide = |one: ContactPoint| {
             let motion = minus(moved.points[one.point], state.points[one.point]);
-            (one, along(motion, -dot(motion, one.normal), one.normal))
+            (one, add_scaled(motion, -dot(motion, one.normal), one.normal))
         };
         touching.into_iter().map(slide).collect()
     }

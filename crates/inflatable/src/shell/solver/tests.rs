@@ -97,7 +97,7 @@ fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
 /// Half a coarse V-actuator, with W = Y = 1.
 fn actuator() -> Result<(Solver, f64), MeshFault> {
     let half = HalfActuator { r: 0.1, w: 1.0, l: 2.5, phi_0: 1.0 };
-    let mesh = half.mesh(&Sizes::across(1.0, 4.0))?.mesh;
+    let mesh = half.mesh(&Sizes::for_tube(1.0, 4.0))?.mesh;
     let mut supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }]);
     let inner = (0..mesh.points.len()).filter(|k| mesh.points[*k][1] == 0.0);
     let inner = inner.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])).unwrap_or(0);

@@ -17,7 +17,7 @@ fn fabric(shear: f64, degrees: f64) -> Fabric {
 
 /// Supports of a flat sheet that prevent rigid motions only.
 fn free(mesh: &Mesh) -> Supports {
-    let mut supports = Supports::none(mesh.points.len());
+    let mut supports = Supports::free(mesh.points.len());
     let corner_at = |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a corner");
     let [first, second, third] =
         [corner_at([0.0, 0.0]), corner_at([SIZE[0], 0.0]), corner_at([0.0, SIZE[1]])];
@@ -35,7 +35,7 @@ fn compliance(fabric: Fabric, normal: [f64; 2], tangential: f64) -> f64 {
     let rest = solver.settle(&mut state, Aim { pressure: 0.0, tolerance: 1e-12 });
     assert!(rest.is_ok(), "{rest:?}");
     let mut parts = Vec::new();
-    for edge in mesh.along(Border::Free) {
+    for edge in mesh.border_edges(Border::Free) {
         let ends = mesh.edges[edge].ends;
         let half = mesh.length(edge) / 2.0;
         let is_on =
@@ -169,7 +169,7 @@ fn clamped(shear: f64, widths: f64) -> f64 {
     let cells = [(16.0 * widths) as usize, 16];
     let mesh =
         rectangle([widths, 1.0], cells, Diagonal::Alternating, 0.0, [Border::Free; 4]).expect("a rectangle");
-    let mut supports = Supports::none(mesh.points.len());
+    let mut supports = Supports::free(mesh.points.len());
     let at_end = |x: f64| x == 0.0 || (x - widths).abs() < 1e-12;
     for (point, place) in mesh.points.iter().enumerate() {
         supports.fix(point, 2);

@@ -59,7 +59,7 @@ impl FeedCheckTask<'_> {
         let judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, 2 * lines.len())),
             Box::new(Body::new(Vec::new(), &machine.controller.heating)),
-            Box::new(ReadyJudge::of(&machine.controller)),
+            Box::new(ReadyJudge::for_controller(&machine.controller)),
             Box::new(HeightJudge::new(&machine.process.heights, area)),
             Box::new(Timed::new(&rules, area, times)),
             Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),

@@ -26,7 +26,7 @@ pub fn judge_iron<'a>(
     let heats = if controller.heating.is_by_program() { rules.heats() } else { Vec::new() };
     let mut judges: Vec<Box<dyn Judge + '_>> = vec![
         Box::new(Body::new(heats, &controller.heating)),
-        Box::new(ReadyJudge::of(controller)),
+        Box::new(ReadyJudge::for_controller(controller)),
         Box::new(HeightJudge::new(&rules.process.heights, *area)),
     ];
     judges.extend(iron(rules));

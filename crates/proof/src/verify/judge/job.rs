@@ -52,7 +52,7 @@ impl ProgramTask<'_> {
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, self.pauses())),
             Box::new(Body::new(heats, &controller.heating)),
-            Box::new(ReadyJudge::of(controller)),
+            Box::new(ReadyJudge::for_controller(controller)),
             Box::new(FirstWords),
             Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),

@@ -29,7 +29,7 @@ struct WarmedPart {
 
 impl ReadyJudge {
     /// The judge of programs for `controller`.
-    pub(super) fn of(controller: &Controller) -> Self {
+    pub(super) fn for_controller(controller: &Controller) -> Self {
         Self::new(controller.place.surface.0, Service::can_free_endstops(controller.dialect))
     }
 

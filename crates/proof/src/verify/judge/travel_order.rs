@@ -57,8 +57,13 @@ impl TravelOrder {
         let mut position = [None, None, Some(park)];
         let mut waypoints = vec![Waypoint::Rapid(position)];
         for mark in marks {
-            let above = |height: f64| Waypoint::Rapid([Some(mark.x), Some(mark.y), Some(height)]);
-            waypoints.extend([above(park), above(travel), Waypoint::Comment("mark"), above(park)]);
+            let over_mark = |height: f64| Waypoint::Rapid([Some(mark.x), Some(mark.y), Some(height)]);
+            waypoints.extend([
+                over_mark(park),
+                over_mark(travel),
+                Waypoint::Comment("mark"),
+                over_mark(park),
+            ]);
         }
         if !marks.is_empty() {
             waypoints.push(home(Some(0.0)));

@@ -49,12 +49,16 @@ impl Default for Bvp {
     }
 }
 
+/// `value` brought into a range; what is no number becomes the `minimum`.
+fn limited(value: f64, minimum: f64, maximum: f64) -> f64 {
+    if value > minimum { value.min(maximum) } else { minimum }
+}
+
 impl Bvp {
     /// The problem at `beta`, from [`LEAST_BETA`] to [`MOST_BETA`], solved to the relative residual
     /// `tolerance`, from 1e-7 to 1e-2. Values outside are brought to the nearest allowed one.
     pub fn new(beta: f64, tolerance: f64) -> Self {
-        let within = |value: f64, least: f64, most: f64| if value > least { value.min(most) } else { least };
-        Self { beta: within(beta, LEAST_BETA, MOST_BETA), tolerance: within(tolerance, 1e-7, 1e-2) }
+        Self { beta: limited(beta, LEAST_BETA, MOST_BETA), tolerance: limited(tolerance, 1e-7, 1e-2) }
     }
 
     /// The penalty's steepness beta.

@@ -102,7 +102,7 @@ impl Problem<4> for PenalisedSection {
         ]
     }
 
-    fn left(&self) -> &[(usize, f64)] {
+    fn values_at_left(&self) -> &[(usize, f64)] {
         &[(2, 0.0), (3, 0.0)]
     }
 

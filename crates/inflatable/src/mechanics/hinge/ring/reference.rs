@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 struct Wide(f64, f64);
 
 impl Wide {
-    fn of(x: f64) -> Self {
+    fn from_f64(x: f64) -> Self {
         Self(x, 0.0)
     }
     fn sum(a: f64, b: f64) -> Self {
@@ -23,35 +23,35 @@ impl Wide {
     }
     fn sqrt(self) -> Self {
         if self.0 <= 0.0 {
-            return Self::of(0.0);
+            return Self::from_f64(0.0);
         }
-        let root = Self::of(self.0.sqrt());
-        (root + self / root) * Self::of(0.5)
+        let root = Self::from_f64(self.0.sqrt());
+        (root + self / root) * Self::from_f64(0.5)
     }
     /// Taylor series of exp, after halving the argument ten times.
     fn exp(self) -> Self {
-        let x = self * Self::of(1.0 / 1024.0);
-        let (mut term, mut sum) = (Self::of(1.0), Self::of(1.0));
+        let x = self * Self::from_f64(1.0 / 1024.0);
+        let (mut term, mut sum) = (Self::from_f64(1.0), Self::from_f64(1.0));
         for k in 1..14 {
-            term = term * x / Self::of(f64::from(k));
+            term = term * x / Self::from_f64(f64::from(k));
             sum = sum + term;
         }
         (0..10).fold(sum, |value, _| value * value)
     }
     /// Taylor series, after halving the argument four times.
     fn sin_cos(self) -> (Self, Self) {
-        let x = self * Self::of(1.0 / 16.0);
+        let x = self * Self::from_f64(1.0 / 16.0);
         let square = x * x;
-        let (mut sin, mut cos) = (Self::of(0.0), Self::of(0.0));
-        let mut term = Self::of(1.0);
+        let (mut sin, mut cos) = (Self::from_f64(0.0), Self::from_f64(0.0));
+        let mut term = Self::from_f64(1.0);
         for k in 0..11 {
             cos = cos + term;
-            let odd = term * x / Self::of(f64::from(2 * k + 1));
+            let odd = term * x / Self::from_f64(f64::from(2 * k + 1));
             sin = sin + odd;
-            term = -(term * square / Self::of(f64::from((2 * k + 1) * (2 * k + 2))));
+            term = -(term * square / Self::from_f64(f64::from((2 * k + 1) * (2 * k + 2))));
         }
-        let unit = Self::of(1.0);
-        (0..4).fold((sin, cos), |(s, c), _| (s * c * Self::of(2.0), unit - s * s * Self::of(2.0)))
+        let unit = Self::from_f64(1.0);
+        (0..4).fold((sin, cos), |(s, c), _| (s * c * Self::from_f64(2.0), unit - s * s * Self::from_f64(2.0)))
     }
 }
 
@@ -87,10 +87,10 @@ impl Mul for Wide {
 impl Div for Wide {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        let mut quotient = Self::of(self.0 / other.0);
+        let mut quotient = Self::from_f64(self.0 / other.0);
         for _ in 0..2 {
             let rest = self - quotient * other;
-            quotient = quotient + Self::of(rest.0 / other.0);
+            quotient = quotient + Self::from_f64(rest.0 / other.0);
         }
         quotient
     }
@@ -98,32 +98,32 @@ impl Div for Wide {
 
 /// Nodes of the tanh-sinh rule on [0, 1]: distance from 0, distance from 1, weight.
 fn rule() -> Vec<(Wide, Wide, Wide)> {
-    let unit = Wide::of(1.0);
+    let unit = Wide::from_f64(1.0);
     let step = 1.0 / 24.0;
     (-104..=104)
         .map(|k| {
-            let t = (Wide::of(step) * Wide::of(f64::from(k))).exp();
+            let t = (Wide::from_f64(step) * Wide::from_f64(f64::from(k))).exp();
             let (sinh2, cosh2) = (t - unit / t, t + unit / t);
             // x = 1 / (1 + e^(-2u)), u = pi/2 sinh t; weight dx/dt times the step.
             let pi_half = Wide(FRAC_PI_2, 6.123_233_995_736_766e-17);
             let grow = (pi_half * sinh2).exp();
             let tail = unit / (unit + grow);
             let head = unit / (unit + unit / grow);
-            (head, tail, head * tail * pi_half * cosh2 * Wide::of(step))
+            (head, tail, head * tail * pi_half * cosh2 * Wide::from_f64(step))
         })
         .collect()
 }
 
 /// Length, rise, `∫ Q^2 sin(phi) ds` and the final Q of an arc.
 fn arc(rule: &[(Wide, Wide, Wide)], axis: Wide, tension: Wide, from: Wide, to: Wide) -> [Wide; 4] {
-    let two = Wide::of(2.0);
+    let two = Wide::from_f64(2.0);
     let span = from - to;
     let q_square = |drop: Wide| {
         // sin(from) - sin(from - drop) without cancellation.
-        let half = drop * Wide::of(0.5);
+        let half = drop * Wide::from_f64(0.5);
         axis * axis + two * tension * two * (from - half).sin_cos().1 * half.sin_cos().0
     };
-    let mut sums = [Wide::of(0.0); 3];
+    let mut sums = [Wide::from_f64(0.0); 3];
     for &(near, _, weight) in rule {
         let drop = span * near;
         let square = q_square(drop);
@@ -139,26 +139,26 @@ fn arc(rule: &[(Wide, Wide, Wide)], axis: Wide, tension: Wide, from: Wide, to: W
 /// Length - 1, closing, contact, and the volume `-lambda ∫ Q^2 sin(phi) ds`.
 fn section(rule: &[(Wide, Wide, Wide)], r_star: f64, unknowns: [Wide; 4], cone: bool) -> [Wide; 4] {
     let [phi_0, tension, length, lambda] = unknowns;
-    let unit = Wide::of(1.0);
+    let unit = Wide::from_f64(1.0);
     let end = Wide(-FRAC_PI_2, -6.123_233_995_736_766e-17);
-    let axis = Wide::of(r_star) / lambda;
+    let axis = Wide::from_f64(r_star) / lambda;
     if !cone {
         let [s, z, q2, _] = arc(rule, axis, tension, phi_0, end);
-        return [s - unit, z, Wide::of(0.0), -(lambda * q2)];
+        return [s - unit, z, Wide::from_f64(0.0), -(lambda * q2)];
     }
     let cos = unit / lambda;
     let sin = (unit - cos * cos).sqrt();
     // gamma by Newton on sin(gamma) = sin.
-    let mut gamma = Wide::of(sin.0.asin());
+    let mut gamma = Wide::from_f64(sin.0.asin());
     for _ in 0..3 {
         let (s, c) = gamma.sin_cos();
         gamma = gamma - (s - sin) / c;
     }
     let [s1, z1, q21, q] = arc(rule, axis, tension, phi_0, -gamma);
     let gain = length * cos;
-    let third = unit / Wide::of(3.0);
+    let third = unit / Wide::from_f64(3.0);
     let q2_cone = -(sin * length) * (q * q + q * gain + gain * gain * third);
-    let next = tension + length * (q + gain * Wide::of(0.5)) * cos / sin;
+    let next = tension + length * (q + gain * Wide::from_f64(0.5)) * cos / sin;
     let [s2, z2, q22, _] = arc(rule, q + gain, next, -gamma, end);
     [
         s1 + length + s2 - unit,
@@ -176,7 +176,7 @@ fn improved(
     lambda: Wide,
     cone: bool,
 ) -> [Wide; 4] {
-    let mut unknowns = solved.unknowns.map(Wide::of);
+    let mut unknowns = solved.unknowns.map(Wide::from_f64);
     unknowns[LAMBDA] = lambda;
     let rows = [solved.section.length, solved.section.closing, solved.section.contact];
     let count = if cone { 3 } else { 2 };
@@ -186,7 +186,7 @@ fn improved(
         let right = nalgebra::DVector::from_fn(count, |i, _| rest[i].0);
         let step = matrix.lu().solve(&right).expect("regular");
         for j in 0..count {
-            unknowns[j] = unknowns[j] - Wide::of(step[j]);
+            unknowns[j] = unknowns[j] - Wide::from_f64(step[j]);
         }
     }
     unknowns
@@ -213,28 +213,31 @@ fn derivatives(rule: &[(Wide, Wide, Wide)], r_star: f64, lambda: f64, cone: bool
         } else {
             solve_free(r_star, lambda).expect("solved")
         };
-        volume(rule, r_star, &solved, Wide::of(lambda), cone)
+        volume(rule, r_star, &solved, Wide::from_f64(lambda), cone)
     };
     let v: Vec<Wide> = (-4..=4).map(volume_at).collect();
     let odd = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let even = [8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
-    let (mut slope, mut curvature) = (Wide::of(0.0), Wide::of(0.0));
+    let (mut slope, mut curvature) = (Wide::from_f64(0.0), Wide::from_f64(0.0));
     for k in 1..=4 {
-        slope = slope + (v[4 + k] - v[4 - k]) * Wide::of(odd[k - 1]);
-        curvature = curvature + (v[4 + k] + v[4 - k] - v[4] - v[4]) * Wide::of(even[k - 1]);
+        slope = slope + (v[4 + k] - v[4 - k]) * Wide::from_f64(odd[k - 1]);
+        curvature = curvature + (v[4 + k] + v[4 - k] - v[4] - v[4]) * Wide::from_f64(even[k - 1]);
     }
     [v[4].0, slope.0 / step, curvature.0 / (step * step)]
 }
 
 #[test]
 fn wide_numbers_have_thirty_digits() {
-    let x = Wide::of(0.7);
+    let x = Wide::from_f64(0.7);
     let (sin, cos) = x.sin_cos();
-    assert!((sin * sin + cos * cos - Wide::of(1.0)).0.abs() < 1e-29);
-    assert!((x.exp() * (-x).exp() - Wide::of(1.0)).0.abs() < 1e-28);
-    assert!((Wide::of(2.0).sqrt() * Wide::of(2.0).sqrt() - Wide::of(2.0)).0.abs() < 1e-30);
-    let root = rule().iter().fold(Wide::of(0.0), |sum, &(near, _, w)| sum + w / near.sqrt());
-    assert!((root - Wide::of(2.0)).0.abs() < 1e-14, "a 1/sqrt end is cut off at 1e-30 from it: {root:?}");
+    assert!((sin * sin + cos * cos - Wide::from_f64(1.0)).0.abs() < 1e-29);
+    assert!((x.exp() * (-x).exp() - Wide::from_f64(1.0)).0.abs() < 1e-28);
+    assert!((Wide::from_f64(2.0).sqrt() * Wide::from_f64(2.0).sqrt() - Wide::from_f64(2.0)).0.abs() < 1e-30);
+    let root = rule().iter().fold(Wide::from_f64(0.0), |sum, &(near, _, w)| sum + w / near.sqrt());
+    assert!(
+        (root - Wide::from_f64(2.0)).0.abs() < 1e-14,
+        "a 1/sqrt end is cut off at 1e-30 from it: {root:?}"
+    );
 }
 
 #[test]
@@ -277,8 +280,8 @@ fn seal_loads_meet_the_table() {
     let quadrature = rule();
     for r_star in [1e-6, 1e-3, 1.0 / 30.0, 0.1, 0.2, 0.5, 1.0, 10.0] {
         let solved = solve_target(r_star).expect("solved");
-        let unknowns = improved(&quadrature, r_star, &solved, Wide::of(solved.unknowns[LAMBDA]), true);
-        let exact = (unknowns[TENSION] * unknowns[LAMBDA] / Wide::of(r_star)).0;
+        let unknowns = improved(&quadrature, r_star, &solved, Wide::from_f64(solved.unknowns[LAMBDA]), true);
+        let exact = (unknowns[TENSION] * unknowns[LAMBDA] / Wide::from_f64(r_star)).0;
         let load = seal_load(r_star, &Ring.target(r_star).expect("solved")).expect("finite");
         println!("R* {r_star:8}: k {exact:.12} error {:e}", load / exact - 1.0);
         assert!((load / exact - 1.0).abs() < 1e-10, "{r_star}: {load} {exact}");

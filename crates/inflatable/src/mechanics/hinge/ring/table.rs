@@ -46,12 +46,12 @@ impl RingTable {
             ];
             columns.iter_mut().zip(scaled).for_each(|(column, value)| column.push(value));
         }
-        Ok(Self { series: columns.map(|column| Chebyshev::through(&column)) })
+        Ok(Self { series: columns.map(|column| Chebyshev::interpolating(&column)) })
     }
 
     /// The entry of series `number` at R*.
-    fn at(&self, number: usize, r_star: f64) -> f64 {
-        self.series[number].at(r_star / (r_star + CENTRE))
+    fn entry(&self, number: usize, r_star: f64) -> f64 {
+        self.series[number].value(r_star / (r_star + CENTRE))
     }
 }
 
@@ -67,16 +67,16 @@ impl HingeModel for RingTable {
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
         check_r_star(r_star, f64::MAX)?;
         let grow = 1.0 + r_star;
-        let (tension, angle) = (self.at(4, r_star) * grow, self.at(6, r_star));
+        let (tension, angle) = (self.entry(4, r_star) * grow, self.entry(6, r_star));
         Ok(HingeState {
-            lambda: self.at(0, r_star),
-            volume: Some(self.at(2, r_star) * grow),
+            lambda: self.entry(0, r_star),
+            volume: Some(self.entry(2, r_star) * grow),
             slope: 0.0,
-            curvature: self.at(3, r_star) * grow,
+            curvature: self.entry(3, r_star) * grow,
             edges: Some(Edges {
                 tension,
                 angle,
-                width: self.at(5, r_star),
+                width: self.entry(5, r_star),
                 rim_force: 2.0 * tension * libm::cos(angle),
             }),
             effort: HingeEffort { residual: 0.0, iterations: 0, error: Self::ERROR },
@@ -85,7 +85,7 @@ impl HingeModel for RingTable {
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
         check_r_star(r_star, f64::MAX)?;
-        Ok(Some(self.at(1, r_star)))
+        Ok(Some(self.entry(1, r_star)))
     }
 }
 
@@ -95,7 +95,8 @@ mod tests {
 
     /// The series' own estimate of their largest relative error.
     fn error_estimate(table: &RingTable) -> f64 {
-        let relative = |series: &Chebyshev| series.error() / series.at(0.0).abs().min(series.at(1.0).abs());
+        let relative =
+            |series: &Chebyshev| series.error() / series.value(0.0).abs().min(series.value(1.0).abs());
         table.series.iter().map(relative).fold(0.0, f64::max)
     }
 

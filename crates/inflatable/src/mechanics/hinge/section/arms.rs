@@ -67,7 +67,7 @@ pub struct ArmsByArc([[f64; 2]; ARCS.len()]);
 
 impl ArmsByArc {
     /// The effect on a hinge with the flat arc `arc`, rad.
-    pub fn at(&self, arc: f64) -> Arms {
+    pub fn arms(&self, arc: f64) -> Arms {
         let [largest_arc, .., smallest_arc] = ARCS;
         let place = arc.to_degrees().clamp(smallest_arc, largest_arc);
         // The grid's arcs fall.
@@ -96,7 +96,7 @@ fn most_bendability(tau: f64) -> f64 {
 
 /// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the tables.
 pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
-    ArmsByRadius::new(bendability, tau)?.at(r_star)
+    ArmsByRadius::new(bendability, tau)?.by_arc(r_star)
 }
 
 /// The arms of hinges at one 1/eps and tau, of any R*.
@@ -138,7 +138,7 @@ fn thin_differences() -> Option<ThinDifferences> {
     let mut of_line = values.iter();
     for (by_pressure, r_star) in differences.iter_mut().zip(THIN_R_STARS) {
         for (difference, b) in by_pressure.iter_mut().zip(&pressures[PRESSURES - THIN_PRESSURES..]) {
-            let (value, at_edge) = (of_line.next()?, GridPlace::new(*b, edge())?.at(r_star)?);
+            let (value, at_edge) = (of_line.next()?, GridPlace::new(*b, edge())?.by_arc(r_star)?);
             let [[angle, give], [angle_at_edge, give_at_edge]] = [value, &at_edge.0[0]];
             let softer = (THIN_ARC.to_radians() + give) / (THIN_ARC.to_radians() + give_at_edge);
             *difference = [angle - angle_at_edge, libm::log(softer)];
@@ -165,11 +165,11 @@ impl ArmsByRadius {
     }
 
     /// The arms at R*; `None` outside of the tables.
-    pub(super) fn at(&self, r_star: f64) -> Option<ArmsByArc> {
-        let on_grid = self.grid.at(r_star)?;
+    pub(super) fn by_arc(&self, r_star: f64) -> Option<ArmsByArc> {
+        let on_grid = self.grid.by_arc(r_star)?;
         match &self.thin {
             None => Some(on_grid),
-            Some(thin) => thin.at(r_star, on_grid),
+            Some(thin) => thin.by_arc(r_star, on_grid),
         }
     }
 }
@@ -194,7 +194,7 @@ impl ThinPlace {
     }
 
     /// `arms_on_grid`, the arms at the grid's edge, with what thin fabric changes.
-    fn at(&self, r_star: f64, mut arms_on_grid: ArmsByArc) -> Option<ArmsByArc> {
+    fn by_arc(&self, r_star: f64, mut arms_on_grid: ArmsByArc) -> Option<ArmsByArc> {
         static DIFFERENCES: LazyLock<Option<ThinDifferences>> = LazyLock::new(thin_differences);
         let differences = DIFFERENCES.as_ref()?;
         if r_star > THIN_MOST_R_STAR {
@@ -229,7 +229,7 @@ impl GridPlace {
     }
 
     /// The arms by the grid at R*; `None` outside of it.
-    fn at(&self, r_star: f64) -> Option<ArmsByArc> {
+    fn by_arc(&self, r_star: f64) -> Option<ArmsByArc> {
         static TABLE: LazyLock<Option<Vec<[[f64; 2]; ARCS.len()]>>> = LazyLock::new(by_place);
         let table = TABLE.as_ref()?;
         let (_, r_stars) = &*LOGARITHMS;
@@ -313,7 +313,7 @@ mod tests {
                         .collect();
                     assert_eq!((180.0 - words[0], words[1], words[2]), (arc, tau, r_star));
                     assert!((words[3] / b - 1.0).abs() < 1e-5);
-                    let arms_at_arc = arms(b, tau, r_star).expect("on the grid").at(arc.to_radians());
+                    let arms_at_arc = arms(b, tau, r_star).expect("on the grid").arms(arc.to_radians());
                     let delta = arms_at_arc.angle.to_degrees() / (arc / 45.0).tanh();
                     assert!((delta - words[4]).abs() < 2e-3, "{arms_at_arc:?} {words:?}");
                     assert!(
@@ -366,7 +366,8 @@ mod tests {
                     .map(|word| word.parse().expect("a number"))
                     .collect();
                 assert_eq!((180.0 - words[0], words[1], words[2]), (THIN_ARC, THIN_TAU, r_star));
-                let arms_at_arc = arms(*b, THIN_TAU, r_star).expect("in the table").at(THIN_ARC.to_radians());
+                let arms_at_arc =
+                    arms(*b, THIN_TAU, r_star).expect("in the table").arms(THIN_ARC.to_radians());
                 let delta = arms_at_arc.angle.to_degrees() / (THIN_ARC / 45.0).tanh();
                 assert!((delta - words[4]).abs() < 2e-3, "{arms_at_arc:?} {words:?}");
                 let is_round = r_star == THIN_R_STARS[1];
@@ -379,7 +380,7 @@ mod tests {
         assert_eq!(lines.next(), None);
         for (b, r_star, arc) in [(150.0, 0.0, 2.0), (800.0, 0.1, 1.0), (9e3, 0.4, 2.6)] {
             let [thin, grid] = [1.0 - 1e-5, 1.0 - 1e-7].map(|part| arms(b, part * edge(), r_star));
-            let (thin, grid) = (thin.expect("thin").at(arc), grid.expect("grid").at(arc));
+            let (thin, grid) = (thin.expect("thin").arms(arc), grid.expect("grid").arms(arc));
             assert!((thin.angle - grid.angle).abs() < 1e-5 && (thin.give - grid.give).abs() < 1e-3);
         }
     }
@@ -391,7 +392,8 @@ mod tests {
         for step in 0..=400 {
             let part = f64::from(step) / 400.0;
             let tau = TAUS[0] * (TAUS[2] / TAUS[0]).powf(part);
-            let current = arms(300.0 + 600.0 * part, tau, part * part).expect("inside").at(2.6 - 2.2 * part);
+            let current =
+                arms(300.0 + 600.0 * part, tau, part * part).expect("inside").arms(2.6 - 2.2 * part);
             assert!(current.angle > 0.0 && current.give > -0.2, "{part}: {current:?}");
             if let Some(previous) = previous {
                 assert!((current.angle - previous.angle).abs() < 0.005, "{part}: {previous:?} {current:?}");

@@ -64,7 +64,7 @@ pub(super) struct Strains {
 
 impl Strains {
     #[inline]
-    pub(super) fn of(scales: &Scales, w: f64, lambda: f64, jet: &Jet) -> Self {
+    pub(super) fn new(scales: &Scales, w: f64, lambda: f64, jet: &Jet) -> Self {
         let [q, q1, q2, _, z1, z2] = *jet;
         let nu = scales.poisson;
         let stretch = (q1 * q1 + z1 * z1).sqrt();
@@ -119,7 +119,7 @@ pub(super) struct Density {
 /// compression, and moments times second derivatives of curvatures.
 #[inline]
 pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bool) -> Density {
-    let strains = Strains::of(scales, w, lambda, jet);
+    let strains = Strains::new(scales, w, lambda, jet);
     let [q, q1, q2, z, _, z2] = *jet;
     let (c, s, nu) = (strains.cos, strains.sin, scales.poisson);
     // phi and its derivatives by Q' and z': it is the argument of Q' + i z'.

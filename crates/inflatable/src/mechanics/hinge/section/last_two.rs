@@ -25,7 +25,7 @@ impl<T> LastTwo<T> {
 }
 
 /// Whether all numbers have the same bits.
-pub(super) fn same<const N: usize>(a: [f64; N], b: [f64; N]) -> bool {
+pub(super) fn have_same_bits<const N: usize>(a: [f64; N], b: [f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }
 
@@ -51,6 +51,6 @@ mod tests {
 
     #[test]
     fn numbers_are_the_same_by_their_bits() {
-        assert!(same([0.5, f64::NAN], [0.5, f64::NAN]) && !same([0.0], [-0.0]));
+        assert!(have_same_bits([0.5, f64::NAN], [0.5, f64::NAN]) && !have_same_bits([0.0], [-0.0]));
     }
 }

@@ -55,17 +55,17 @@ pub(super) struct MeridianMesh {
 impl MeridianMesh {
     /// `count` elements, two or more.
     pub(super) fn new(r_star: f64, count: usize) -> Self {
-        Self::on(r_star, nodes(count))
+        Self::with_nodes(r_star, nodes(count))
     }
 
     /// The mesh on every `step`-th of the nodes, with the core of a sharp rim.
     pub(super) fn coarser(&self, step: usize) -> Self {
         let last = self.nodes.len() - 1;
         let coarse = self.nodes.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
-        Self { is_disc: self.is_disc, ..Self::on(self.r_star, coarse.map(|(_, s)| *s).collect()) }
+        Self { is_disc: self.is_disc, ..Self::with_nodes(self.r_star, coarse.map(|(_, s)| *s).collect()) }
     }
 
-    fn on(r_star: f64, mut nodes: Vec<f64>) -> Self {
+    fn with_nodes(r_star: f64, mut nodes: Vec<f64>) -> Self {
         if r_star < CORE {
             let core = CORE - r_star;
             nodes.retain(|s| *s == 0.0 || *s > 1.5 * core);

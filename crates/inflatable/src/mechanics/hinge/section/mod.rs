@@ -115,7 +115,7 @@ impl Section {
     /// # Errors
     /// The errors of [`HingeModel::target`].
     pub fn meridian(&self, r_star: f64) -> Result<Meridian, HingeFault> {
-        self.rest(r_star).map(|search| Meridian::of(&search))
+        self.rest(r_star).map(|search| Meridian::new(&search))
     }
 
     /// The hinge at rest, and at each of `lambdas`, which are best sorted: each is followed from the one before.
@@ -172,7 +172,7 @@ impl HingeModel for Section {
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
         let Scales { bendability, stiffness, .. } = self.scales;
-        Some(arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)?.at(arc))
+        Some(arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)?.arms(arc))
     }
 }
 

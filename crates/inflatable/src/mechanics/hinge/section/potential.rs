@@ -40,7 +40,7 @@ pub(super) fn value(scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64]
             if q <= 0.0 {
                 return None;
             }
-            let strains = Strains::of(scales, point.radius, lambda, &jet_here);
+            let strains = Strains::new(scales, point.radius, lambda, &jet_here);
             sum += point.area * (strains.energy(scales) - lambda * q * z * slope / point.radius);
         }
     }

@@ -37,7 +37,7 @@ pub struct Meridian {
 }
 
 impl Meridian {
-    pub(super) fn of(search: &ShapeSearch) -> Self {
+    pub(super) fn new(search: &ShapeSearch) -> Self {
         let ShapeSearch { scales, mesh, lambda, shape, .. } = search;
         let mut points = Vec::new();
         let mut volume = 0.0;
@@ -45,7 +45,7 @@ impl Meridian {
             for point in element {
                 let jet_here = jet(point, of_element(shape, number));
                 let [radius, slope, _, height, ..] = jet_here;
-                let strains = Strains::of(scales, point.radius, *lambda, &jet_here);
+                let strains = Strains::new(scales, point.radius, *lambda, &jet_here);
                 volume += 2.0 * lambda * point.area / point.radius * radius * height * slope;
                 points.push(MeridianPoint {
                     place: point.place,
@@ -63,7 +63,7 @@ impl Meridian {
     }
 
     /// The largest of one quantity.
-    pub fn most(&self, quantity: impl Fn(&MeridianPoint) -> f64) -> f64 {
+    pub fn largest(&self, quantity: impl Fn(&MeridianPoint) -> f64) -> f64 {
         self.points.iter().map(quantity).fold(f64::NEG_INFINITY, f64::max)
     }
 }

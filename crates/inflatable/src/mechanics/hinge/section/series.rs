@@ -52,7 +52,7 @@ impl Default for PartialSums {
 
 impl Series {
     /// A series of `terms`: the orders of 1/eps, tau, R* and nu, and the coefficients; the others are 0. `None` if an order is too high.
-    pub(super) fn of(terms: impl IntoIterator<Item = ([usize; 4], Quantities)>) -> Option<Self> {
+    pub(super) fn from_terms(terms: impl IntoIterator<Item = ([usize; 4], Quantities)>) -> Option<Self> {
         let [of_b, of_tau, of_r, of_nu] = COUNTS;
         let mut dense = vec![[Quantities::default(); OF_FABRIC / 4]; of_nu * of_tau];
         for ([b, tau, r, nu], own) in terms {
@@ -123,7 +123,7 @@ fn weighted<T: Copy + Add<Output = T> + Mul<Output = T>, const N: usize>(
 
 impl AlongRadii {
     /// The quantities at R* = `place`, 0 to 1.
-    pub(super) fn at(&self, place: f64) -> Quantities {
+    pub(super) fn quantities(&self, place: f64) -> Quantities {
         sum::<{ COUNTS[2] }, 4>(&self.0, place)
     }
 }

@@ -118,7 +118,7 @@ impl ShapeSearch {
                 return Ok(());
             }
         }
-        Err(self.lost())
+        Err(self.fault())
     }
 
     /// Follows the branch of equilibria from the last one to `lambda`.
@@ -146,7 +146,7 @@ impl ShapeSearch {
     }
 
     /// No shape was found beyond the one that was reached.
-    fn lost(&self) -> HingeFault {
+    fn fault(&self) -> HingeFault {
         HingeFault::Unsolved { r_star: self.mesh.r_star, lambda: self.lambda, residual: self.decrement }
     }
 
@@ -157,9 +157,9 @@ impl ShapeSearch {
     /// The least Pi from here, at a fixed lambda or a `free` one.
     fn minimise(&mut self, free: bool) -> Result<(), HingeFault> {
         let mut shift = 0.0;
-        let mut value = self.value(self.lambda, &self.shape).ok_or_else(|| self.lost())?;
+        let mut value = self.value(self.lambda, &self.shape).ok_or_else(|| self.fault())?;
         for _ in 0..MOST_STEPS {
-            let exact = self.factor(&mut shift).ok_or_else(|| self.lost())?;
+            let exact = self.factor(&mut shift).ok_or_else(|| self.fault())?;
             let turn = self.direction(free);
             let fall = -(dot(&self.potential.gradient, &self.step) + turn * self.potential.slope);
             self.decrement = fall.abs() / value.abs();
@@ -187,12 +187,12 @@ impl ShapeSearch {
                 break;
             }
         }
-        Err(self.lost())
+        Err(self.fault())
     }
 
     /// Derivatives at the shape found, with S and its tangent; an error if it is not stable against other shapes.
     fn settle(&mut self) -> Result<(), HingeFault> {
-        let exact = self.factor(&mut 0.0).ok_or_else(|| self.lost())?;
+        let exact = self.factor(&mut 0.0).ok_or_else(|| self.fault())?;
         let _ = self.direction(false);
         if self.mesh.r_star > MOST_TABLED_R_STAR {
             // S is a small difference of large numbers in a slender bend. This form errs by the square of the tangent's error.
@@ -200,7 +200,7 @@ impl ShapeSearch {
             self.stiffness +=
                 dot(&self.potential.mixed, &self.tangent) + dot(&self.tangent, &curvature_terms);
         }
-        if exact { Ok(()) } else { Err(self.lost()) }
+        if exact { Ok(()) } else { Err(self.fault()) }
     }
 
     /// Factors H, whether exact and unshifted; `None` if no shift makes it positive definite.

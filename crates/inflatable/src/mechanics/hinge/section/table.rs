@@ -69,7 +69,7 @@ impl SectionTable {
         let lines = text.lines().filter(|line| !line.starts_with('#'));
         let terms: Vec<([usize; 4], [Quantities; 2])> = lines.map(term).collect::<Option<_>>()?;
         let [rest, moment] =
-            [0, 1].map(|half| Series::of(terms.iter().map(|(orders, own)| (*orders, own[half]))));
+            [0, 1].map(|half| Series::from_terms(terms.iter().map(|(orders, own)| (*orders, own[half]))));
         Some(Self { rest: rest?, moment: moment? })
     }
 
@@ -77,14 +77,14 @@ impl SectionTable {
     ///
     /// # Errors
     /// The errors of [`Section::new`] and [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
-    pub fn at(
+    pub fn entry(
         &self,
         bendability: f64,
         thickness: f64,
         poisson: f64,
         r_star: f64,
     ) -> Result<SectionEntry, HingeFault> {
-        SectionEntry::of(&self.along_radii([bendability, thickness, poisson])?, r_star)
+        SectionEntry::new(&self.along_radii([bendability, thickness, poisson])?, r_star)
     }
 
     /// The rest at 1/eps, t/W and nu = `scales`: it depends on R* alone.
@@ -96,10 +96,10 @@ impl SectionTable {
         Ok(LAST.with_borrow_mut(|last| self.rest.along_radii(grid_place, last)))
     }
 
-    /// The moment of the hinge that rests as `rest` around that: the same arguments and ranges as [`SectionTable::at`].
+    /// The moment of the hinge that rests as `rest` around that: the same arguments and ranges as [`SectionTable::entry`].
     ///
     /// # Errors
-    /// The errors of [`SectionTable::at`].
+    /// The errors of [`SectionTable::entry`].
     pub fn moment(&self, scales: [f64; 3], r_star: f64, rest: &SectionEntry) -> Result<Moment, HingeFault> {
         thread_local! {
             static LAST: RefCell<PartialSums> = RefCell::default();
@@ -107,16 +107,16 @@ impl SectionTable {
         check_r_star(r_star, MOST_TABLED_R_STAR)?;
         let grid_place = place(scales)?;
         let series = LAST.with_borrow_mut(|last| self.moment.along_radii(grid_place, last));
-        let secants = series.at(place_of_radius(r_star));
+        let secants = series.quantities(place_of_radius(r_star));
         Ok(Moment { lambda: rest.lambda, stiffness: rest.stiffness, secants })
     }
 }
 
 impl SectionEntry {
     /// The hinge at rest at R*, by the `series` of its fabric, width and pressure.
-    pub(super) fn of(series: &AlongRadii, r_star: f64) -> Result<Self, HingeFault> {
+    pub(super) fn new(series: &AlongRadii, r_star: f64) -> Result<Self, HingeFault> {
         check_r_star(r_star, MOST_TABLED_R_STAR)?;
-        let [lambda, stiffness, opening, width] = series.at(place_of_radius(r_star));
+        let [lambda, stiffness, opening, width] = series.quantities(place_of_radius(r_star));
         Ok(Self {
             lambda: 1.0 + libm::exp(lambda),
             stiffness: libm::exp(stiffness),

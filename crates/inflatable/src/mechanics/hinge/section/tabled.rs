@@ -3,7 +3,7 @@
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::LEAST_LAMBDA;
 use crate::mechanics::hinge::section::arms::{ArmsByArc, ArmsByRadius};
-use crate::mechanics::hinge::section::last_two::{LastTwo, same};
+use crate::mechanics::hinge::section::last_two::{LastTwo, have_same_bits};
 use crate::mechanics::hinge::section::moment::Moment;
 use crate::mechanics::hinge::section::series::AlongRadii;
 use crate::mechanics::hinge::section::table::{SectionEntry, SectionTable};
@@ -45,55 +45,60 @@ impl Tabled {
     /// hinges of R* = `r_stars`.
     ///
     /// # Errors
-    /// The errors of [`SectionTable::at`].
+    /// The errors of [`SectionTable::entry`].
     pub fn new(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
         thread_local! {
             static LAST: RefCell<LastTwo<Tabled>> = const { RefCell::new(LastTwo::NONE) };
         }
         LAST.with_borrow_mut(|last| {
-            last.find_or_make(|own| own.has(scales, r_stars), || Self::look_up(scales, r_stars)).cloned()
+            last.find_or_make(|own| own.is_made_of(scales, r_stars), || Self::look_up(scales, r_stars))
+                .cloned()
         })
     }
 
     /// Whether it was made of these numbers.
-    fn has(&self, scales: [f64; 3], r_stars: [f64; 2]) -> bool {
-        same(self.scales, scales) && same([0, 1].map(|i: usize| self.known[i].r_star), r_stars)
+    fn is_made_of(&self, scales: [f64; 3], r_stars: [f64; 2]) -> bool {
+        have_same_bits(self.scales, scales)
+            && have_same_bits([0, 1].map(|i: usize| self.known[i].r_star), r_stars)
     }
 
     fn look_up(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
-        Common::with(scales, |common| {
-            let tip = common.at(r_stars[0])?;
+        Common::take_from_last(scales, |common| {
+            let tip = common.state(r_stars[0])?;
             let corner = if r_stars[0] == r_stars[1] {
                 TabledState { r_star: r_stars[1], ..tip.clone() }
             } else {
-                common.at(r_stars[1])?
+                common.state(r_stars[1])?
             };
             Ok(Self { scales, known: [tip, corner] })
         })
     }
 
     /// What `take` takes from the hinge of R*.
-    fn with<T>(
+    fn take_from_state<T>(
         &self,
         r_star: f64,
         take: impl FnOnce(&TabledState) -> Result<T, HingeFault>,
     ) -> Result<T, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
             Some(known) => take(known),
-            None => take(&Common::with(self.scales, |common| common.at(r_star))?),
+            None => take(&Common::take_from_last(self.scales, |common| common.state(r_star))?),
         }
     }
 }
 
 impl Common {
     /// What `take` takes from what hinges have in common at 1/eps, t/W and nu = `scales`.
-    fn with<T>(scales: [f64; 3], take: impl FnOnce(&Self) -> Result<T, HingeFault>) -> Result<T, HingeFault> {
+    fn take_from_last<T>(
+        scales: [f64; 3],
+        take: impl FnOnce(&Self) -> Result<T, HingeFault>,
+    ) -> Result<T, HingeFault> {
         thread_local! {
             /// Rows of a study may share fabric, width and pressure, but no radius.
             static LAST: RefCell<LastTwo<Common>> = const { RefCell::new(LastTwo::NONE) };
         }
         LAST.with_borrow_mut(|last| {
-            take(last.find_or_make(|own| same(own.scales, scales), || Self::new(scales))?)
+            take(last.find_or_make(|own| have_same_bits(own.scales, scales), || Self::new(scales))?)
         })
     }
 
@@ -105,9 +110,9 @@ impl Common {
     }
 
     /// The hinge of R*.
-    fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
-        let entry = SectionEntry::of(&self.rest, r_star)?;
-        let arms = self.arms.as_ref().and_then(|arms| arms.at(r_star));
+    fn state(&self, r_star: f64) -> Result<TabledState, HingeFault> {
+        let entry = SectionEntry::new(&self.rest, r_star)?;
+        let arms = self.arms.as_ref().and_then(|arms| arms.by_arc(r_star));
         Ok(TabledState { r_star, entry, arms, moment: OnceLock::new() })
     }
 }
@@ -163,15 +168,15 @@ impl HingeModel for Tabled {
 
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-        self.with(r_star, |hinge| hinge.state(self.scales, lambda))
+        self.take_from_state(r_star, |hinge| hinge.state(self.scales, lambda))
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
-        self.with(r_star, |hinge| Ok(hinge.rest()))
+        self.take_from_state(r_star, |hinge| Ok(hinge.rest()))
     }
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
-        self.with(r_star, |hinge| Ok(hinge.arms.map(|arms| arms.at(arc)))).ok()?
+        self.take_from_state(r_star, |hinge| Ok(hinge.arms.map(|arms| arms.arms(arc)))).ok()?
     }
 }
 

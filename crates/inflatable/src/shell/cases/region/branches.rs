@@ -15,7 +15,7 @@ pub(super) fn lower_of(first: InflatedRegion, second: InflatedRegion) -> Inflate
     let (lower, higher) = if is_second_lower { (second, first) } else { (first, second) };
     let differs = |a: Value, b: Value| (a.meshes[2] - b.meshes[2]).abs() > DIFFERENT * b.meshes[2].abs();
     let is_other = differs(higher.height, lower.height) || differs(higher.volume, lower.volume);
-    let evidence = lower.evidence.after(&higher.evidence);
+    let evidence = lower.evidence.join(&higher.evidence);
     let second = is_other.then(|| Box::new(higher));
     InflatedRegion { second, evidence, ..lower }
 }
@@ -71,7 +71,7 @@ pub(super) fn blended(smooth: &InflatedRegion, folded: &InflatedRegion, blend: B
             .collect(),
         energy: value(smooth.energy, folded.energy),
         second: folded.second.as_ref().map(|second| Box::new(blended(smooth, second, blend))),
-        evidence: smooth.evidence.after(&folded.evidence),
+        evidence: smooth.evidence.join(&folded.evidence),
     }
 }
 

@@ -22,7 +22,7 @@ use geom::Path;
 impl FlatRegion {
     /// About how many unknowns the finest mesh of `fineness` has; 0 where the chamber has no mesh.
     pub fn unknowns(&self, fineness: Fineness) -> f64 {
-        let chamber = self.chamber.by(self.chamber.widest());
+        let chamber = self.chamber.in_units(self.chamber.widest());
         let Ok((meshed, _)) = chamber.mesh(fineness.cells) else { return 0.0 };
         #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
         let triangles = meshed.mesh.triangles.len() as f64;
@@ -35,7 +35,7 @@ impl FlatRegion {
     pub fn quick(&self) -> Fineness {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
-        let chamber = self.chamber.by(width);
+        let chamber = self.chamber.in_units(width);
         let of_squares = TRIANGLES_OF_SQUARE * UNKNOWNS_OF_TRIANGLE * squares;
         let mut cells = (QUICK / of_squares).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
         let mut best = (f64::INFINITY, cells);
@@ -173,10 +173,11 @@ fn resolved_up_to(
     let bending = tube.fabric.bending * bendability / resolved;
     let stiff = Tube { fabric: Fabric { bending, ..tube.fabric }, ..tube };
     // The folded sheet is computed on two ways to its pressure.
-    let folded = watch
-        .within([0.0, 2.0 / 3.0], |watch| lowest(case, Run::resolved(stiff, MOST_STEPS), fineness, watch))?;
+    let folded = watch.run_part([0.0, 2.0 / 3.0], |watch| {
+        lowest(case, Run::resolved(stiff, MOST_STEPS), fineness, watch)
+    })?;
     let smooth =
-        watch.within([2.0 / 3.0, 1.0], |watch| Run::averaged(tube).on_meshes(case, fineness, watch))?;
+        watch.run_part([2.0 / 3.0, 1.0], |watch| Run::averaged(tube).on_meshes(case, fineness, watch))?;
     let root = (resolved / bendability).sqrt();
     let end = (1.0 / FADED).sqrt();
     // What the law leaves open is nothing at its start.
@@ -196,8 +197,8 @@ fn lowest(
         return flat_run.on_meshes(case, fineness, watch);
     }
     let high_run = Run { approach: LoadPath::FromAbove, most_steps: MOST_STEPS, ..flat_run };
-    let from_flat = watch.within([0.0, 0.5], |watch| flat_run.on_meshes(case, fineness, watch))?;
-    match watch.within([0.5, 1.0], |watch| high_run.on_meshes(case, fineness, watch)) {
+    let from_flat = watch.run_part([0.0, 0.5], |watch| flat_run.on_meshes(case, fineness, watch))?;
+    match watch.run_part([0.5, 1.0], |watch| high_run.on_meshes(case, fineness, watch)) {
         Ok(from_above) => Ok(lower_of(from_flat, from_above)),
         Err(ShellFault::Stopped { .. }) => Ok(from_flat),
         Err(fault) => Err(fault),
@@ -235,7 +236,7 @@ impl Run {
         // for the mesh error, pulls along the seams, and probed points. The finest mesh gives shape and surface.
         let Self { tube, wrinkles, approach, most_steps } = self;
         let width = tube.width;
-        let chamber = case.chamber.by(width);
+        let chamber = case.chamber.in_units(width);
         let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
         let partial: Vec<PartialPressure> = case.partial.iter().map(|part| part.in_units(width)).collect();
         let hold = |meshed: &Meshed, sheet: &mut Sheet| {

@@ -47,7 +47,7 @@ impl SealedNodes {
 pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
     let mesh = &meshed.mesh;
     sealed.welds.iter().for_each(|edge| sheet.release(*edge));
-    let mut supports = Supports::none(mesh.points.len());
+    let mut supports = Supports::free(mesh.points.len());
     let sealed_points = (0..mesh.points.len()).filter(|point| sealed.points[*point]);
     sealed_points.for_each(|point| supports.fix(point, 2));
     let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
@@ -71,7 +71,7 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet
 
 /// Lets the sealed nodes move along z only: the remaining symmetry of sheets that move to the same side.
 pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
-    let mut supports = Supports::none(sealed.points.len());
+    let mut supports = Supports::free(sealed.points.len());
     for (point, _) in sealed.points.iter().enumerate().filter(|(_, is_sealed)| **is_sealed) {
         supports.fix(point, 0);
         supports.fix(point, 1);

@@ -60,7 +60,7 @@ fn averaged(chamber: &FlatChamber, t: f64, pressure: f64, cells: f64) -> Inflate
         .expect("an equilibrium")
 }
 
-fn one(loops: &[Path], welds: &[Path]) -> FlatChamber {
+fn only_chamber(loops: &[Path], welds: &[Path]) -> FlatChamber {
     let mut sorted = chambers(loops, welds, &[]).expect("chambers");
     assert_eq!(sorted.len(), 1);
     sorted.remove(0)
@@ -74,7 +74,7 @@ fn is_close(value: Value, expected: f64, slack: f64) -> bool {
 /// This one stretches by 0.3 %.
 #[test]
 fn a_disc_closes_to_a_balloon() {
-    let balloon = inflated(&one(&[circle(0.3, -0.1, 0.05)], &[]), 0.05e-3, 500.0, 5.0);
+    let balloon = inflated(&only_chamber(&[circle(0.3, -0.1, 0.05)], &[]), 0.05e-3, 500.0, 5.0);
     assert_eq!(balloon.wrinkles, Wrinkles::Averaged);
     assert!((balloon.width - 0.1).abs() < 1e-4, "{}", balloon.width);
     for extent in balloon.extents {
@@ -109,7 +109,7 @@ fn a_disc_closes_to_a_balloon() {
 
 #[test]
 fn a_long_tube_is_as_high_as_a_circle_of_its_girth() {
-    let tube = inflated(&one(&[rectangle(0.12, 0.02)], &[]), 0.3e-3, 14e3, 2.5);
+    let tube = inflated(&only_chamber(&[rectangle(0.12, 0.02)], &[]), 0.3e-3, 14e3, 2.5);
     assert_eq!(tube.wrinkles, Wrinkles::Resolved);
     // The fabric stretches by some 1 %.
     assert!(is_close(tube.height.scaled(1.0 / 0.02), 2.0 / PI, 0.03), "{:?}", tube.height);
@@ -126,7 +126,7 @@ fn a_bent_tube_does_not_jump_where_wrinkles_of_cushions_are_fine() {
         Arc::new(Point::ORIGIN, inner, PI, -PI).into(),
         Line::new(Point::new(inner, 0.0), Point::new(outer, 0.0)).into(),
     ]);
-    let tube = one(&[tube], &[]);
+    let tube = only_chamber(&[tube], &[]);
     let [below, above] = [4_900.0, 5_100.0].map(|bendability| {
         let (t, bending) = (0.12e-3_f64, fabric(0.12e-3).bending);
         inflated(&tube, t, bendability * bending / 0.02_f64.powi(3), 2.5)
@@ -144,7 +144,7 @@ fn a_bent_tube_does_not_jump_where_wrinkles_of_cushions_are_fine() {
 /// sheet that bears no compression is 19.8 mm high there, and pulls a third as hard.
 #[test]
 fn a_pouch_has_two_stable_shapes() {
-    let pouch = inflated(&one(&[rectangle(0.04, 0.04)], &[]), 0.3e-3, 5.4e3, 6.0);
+    let pouch = inflated(&only_chamber(&[rectangle(0.04, 0.04)], &[]), 0.3e-3, 5.4e3, 6.0);
     assert_eq!(pouch.wrinkles, Wrinkles::Resolved);
     let second = pouch.second.as_ref().expect("a second shape");
     assert!(is_close(pouch.height.scaled(1e3), 15.9, 0.15), "{:?}", pouch.height);
@@ -157,7 +157,7 @@ fn a_pouch_has_two_stable_shapes() {
 #[test]
 fn a_cushion_does_not_jump_where_wrinkles_become_fine() {
     let [below, above] =
-        [26.5e3, 26.8e3].map(|p| inflated(&one(&[rectangle(0.04, 0.04)], &[]), 0.3e-3, p, 4.0));
+        [26.5e3, 26.8e3].map(|p| inflated(&only_chamber(&[rectangle(0.04, 0.04)], &[]), 0.3e-3, p, 4.0));
     assert_eq!([below.wrinkles, above.wrinkles], [Wrinkles::Resolved, Wrinkles::Blended]);
     for (a, b) in
         [(above.height, below.height), (above.volume, below.volume), (above.seal_pull, below.seal_pull)]
@@ -175,7 +175,7 @@ fn a_cushion_does_not_jump_where_wrinkles_become_fine() {
 /// A tube has hardly any wrinkles: its numbers are those of a sheet that bears no compression.
 #[test]
 fn a_tube_is_the_same_with_resolved_and_with_averaged_wrinkles() {
-    let tube = one(&[rectangle(0.12, 0.02)], &[]);
+    let tube = only_chamber(&[rectangle(0.12, 0.02)], &[]);
     let resolved = inflated(&tube, 0.12e-3, 2700.0, 2.5);
     let smooth = averaged(&tube, 0.12e-3, 2700.0, 2.5);
     assert_eq!([resolved.wrinkles, smooth.wrinkles], [Wrinkles::Resolved, Wrinkles::Averaged]);
@@ -200,7 +200,7 @@ fn a_tube_is_the_same_with_resolved_and_with_averaged_wrinkles() {
 fn pouches_between_welds_come_to_rest() {
     let weld = |x: f64| line([x, 0.0], [x, 0.028]);
     let welds = [weld(0.04), weld(0.08), weld(0.12)];
-    let chamber = one(&[rectangle(0.16, 0.045)], &welds);
+    let chamber = only_chamber(&[rectangle(0.16, 0.045)], &welds);
     let mut heights = Vec::new();
     for cells in [1.5, 3.0] {
         let pouch = inflated(&chamber, 0.1e-3, 10e3, cells);
@@ -215,7 +215,7 @@ fn pouches_between_welds_come_to_rest() {
 /// Between Robin's formula (0.1905) and Kepert's upper bound (0.217); computed values lie near 0.2055. This one stretches by 0.5 %.
 #[test]
 fn a_square_pillow_holds_a_fifth_of_a_cube() {
-    let pillow = inflated(&one(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
+    let pillow = inflated(&only_chamber(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
     assert!(is_close(pillow.volume.scaled(1e3), 0.205, 0.04), "{:?}", pillow.volume);
     let [x, y] = pillow.extents;
     assert!((x.value - y.value).abs() < x.error + y.error, "{x:?} {y:?}");
@@ -239,7 +239,7 @@ fn a_v_actuator_as_a_region_is_the_v_actuator() {
         Line::new(Point::new(l, -w), Point::new(l, 0.0)).into(),
         Line::new(Point::new(l, 0.0), Point::new(0.0, 0.0)).into(),
     ]);
-    let region_shape = inflated(&one(&[outline], &[]), 0.3e-3, 14e3, 2.5);
+    let region_shape = inflated(&only_chamber(&[outline], &[]), 0.3e-3, 14e3, 2.5);
     let slack = actuator_shape.volume.error + region_shape.volume.error;
     assert!(
         (region_shape.volume.value - actuator_shape.volume.value).abs() < slack,
@@ -268,10 +268,10 @@ fn a_v_actuator_as_a_region_is_the_v_actuator() {
 #[test]
 fn welds_and_islands_hold_both_sheets_together() {
     let square = rectangle(0.04, 0.04);
-    let open = inflated(&one(std::slice::from_ref(&square), &[]), 0.3e-3, 5e3, 3.0);
+    let open = inflated(&only_chamber(std::slice::from_ref(&square), &[]), 0.3e-3, 5e3, 3.0);
     // A weld from rim to rim makes two tubes of it.
     let weld = line([0.02, 0.0], [0.02, 0.04]);
-    let two = inflated(&one(std::slice::from_ref(&square), &[weld]), 0.3e-3, 5e3, 4.0);
+    let two = inflated(&only_chamber(std::slice::from_ref(&square), &[weld]), 0.3e-3, 5e3, 4.0);
     assert!((two.width - 0.02).abs() < 1e-4, "{}", two.width);
     assert!(two.height.value < 0.75 * open.height.value, "{:?} {:?}", two.height, open.height);
     let of_weld =
@@ -279,7 +279,7 @@ fn welds_and_islands_hold_both_sheets_together() {
     let largest = of_weld.fold(0.0, f64::max);
     assert!(largest > 1.2 * two.seams[0].pull.value, "{largest}");
     // An island: its points stay in the plane.
-    let island = inflated(&one(&[square, circle(0.02, 0.02, 0.004)], &[]), 0.3e-3, 5e3, 3.0);
+    let island = inflated(&only_chamber(&[square, circle(0.02, 0.02, 0.004)], &[]), 0.3e-3, 5e3, 3.0);
     assert!(island.volume.value < 0.9 * open.volume.value);
     let is_on_island = |flat: &[f64; 2]| (flat[0] - 0.02).hypot(flat[1] - 0.02) < 0.004 * 1.0001;
     let points = island.shape.flat.iter().zip(&island.shape.points).filter(|(flat, _)| is_on_island(flat));
@@ -305,7 +305,7 @@ fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, Sea
 /// Rigid motions of both sheets take no energy, though one sheet alone is held otherwise.
 #[test]
 fn what_moves_the_whole_costs_nothing() {
-    let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
+    let chamber = only_chamber(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
     let (mut solver, equilibrium, sealed) = at_rest(&chamber, 10.0);
     let (state, pressure) = (&equilibrium.state, equilibrium.pressure);
     let mut other = Solver::new(solver.assembly.sheet.clone(), antisymmetric(&sealed)).expect("small");
@@ -324,7 +324,7 @@ fn what_moves_the_whole_costs_nothing() {
 /// The rim of a pillow is compressed along itself: with more pressure it leaves the plane in folds.
 #[test]
 fn a_compressed_rim_leaves_its_plane() {
-    let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
+    let chamber = only_chamber(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
     let (mut solver, equilibrium, sealed) = at_rest(&chamber, 300.0);
     let equilibrium_point = (&equilibrium.state, equilibrium.pressure);
     let [symmetric, antisymmetric] = stability::lowest(&mut solver, equilibrium_point, &sealed);
@@ -370,11 +370,11 @@ fn curves_that_cross_are_refused_in_words() {
         let case = case_of(&chamber, 0.3e-3, 5e3);
         region(&case, Fineness { cells: 3.0, cuts: 2 }, &Watch::default())
     };
-    let chamber = one(&[rectangle(0.04, 0.04)], &[line([0.01, 0.02], [0.06, 0.02])]);
+    let chamber = only_chamber(&[rectangle(0.04, 0.04)], &[line([0.01, 0.02], [0.06, 0.02])]);
     let fault = run(chamber).expect_err("a weld that leaves the outline");
     assert!(matches!(fault, ShellFault::Mesh(MeshFault::Outside { .. })), "{fault}");
     let eight = polygon(&[[0.0, 0.0], [0.04, 0.04], [0.04, 0.0], [0.0, 0.05]]);
-    assert!(matches!(run(one(&[eight], &[])), Err(ShellFault::Mesh(_))));
+    assert!(matches!(run(only_chamber(&[eight], &[])), Err(ShellFault::Mesh(_))));
     let nan = FlatChamber { outline: circle(f64::NAN, 0.0, 1.0), ..FlatChamber::default() };
     assert!(matches!(run(nan), Err(ShellFault::Range { .. })));
 }

@@ -27,7 +27,7 @@ pub(super) struct Block<'a, R> {
 
 impl<'a, R: RealField + Copy> Block<'a, R> {
     /// Without the first rows.
-    fn below(self, rows: usize) -> Self {
+    fn without_rows(self, rows: usize) -> Self {
         Self { numbers: &self.numbers[rows..], rows: self.rows - rows, ..self }
     }
 
@@ -52,7 +52,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
             &mut result[start..],
             stride,
             scale,
-            factor.below(start),
+            factor.without_rows(start),
             TOGETHER.min(columns - start),
         );
     };
@@ -60,7 +60,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
         block((0, result));
     } else {
         let end = result.len().min(columns * stride);
-        threads.each(result[..end].chunks_mut(TOGETHER * stride).enumerate().collect(), block);
+        threads.run_each(result[..end].chunks_mut(TOGETHER * stride).enumerate().collect(), block);
     }
 }
 

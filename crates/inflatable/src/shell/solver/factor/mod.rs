@@ -121,8 +121,8 @@ impl Factor {
     }
 
     /// The norm of what the last solution leaves of its right side.
-    pub(crate) fn left(&self) -> f64 {
-        if self.is_double { 0.0 } else { self.refinement.left() }
+    pub(crate) fn residual(&self) -> f64 {
+        if self.is_double { 0.0 } else { self.refinement.residual_norm() }
     }
 
     /// Whether double precision, too, finds the matrix positive definite: rounding to single precision can hide a direction in which it is

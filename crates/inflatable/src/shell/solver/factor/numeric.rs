@@ -104,7 +104,7 @@ struct Computation<'a, R, V> {
 impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<'_, R, V> {
     /// False if the matrix is not positive definite.
     fn run(mut self) -> bool {
-        if !self.threads.all(self.parts(), Computation::run) {
+        if !self.threads.run_while_true(self.parts(), Computation::run) {
             return false;
         }
         self.collect();
@@ -137,7 +137,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         // waits for the panel of its next row. Their products are subtracted, and the panel is factored alone.
         let node = &self.symbolic.supernodes[number];
         let first_column = self.part.columns.start;
-        for (row, place) in self.symbolic.below.of(number).iter().zip((0_u32..).skip(node.width())) {
+        for (row, place) in self.symbolic.below.items(number).iter().zip((0_u32..).skip(node.width())) {
             self.work.local[*row - first_column] = place;
         }
         let mut givers = std::mem::take(&mut self.work.givers);
@@ -145,7 +145,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         let mut other = self.waiting(number).first;
         while other != NONE {
             let Waiting { next, from: first_row, .. } = *self.waiting(other);
-            let rows = &self.symbolic.below.of(other)[first_row..];
+            let rows = &self.symbolic.below.items(other)[first_row..];
             givers.push((other, first_row));
             self.wait(other, first_row + rows.iter().take_while(|row| **row < node.end).count());
             other = next;
@@ -210,7 +210,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
     /// Hands a supernode to the owner of its row `first_row`.
     fn wait(&mut self, number: usize, first_row: usize) {
         self.waiting(number).from = first_row;
-        let Some(row) = self.symbolic.below.of(number).get(first_row) else { return };
+        let Some(row) = self.symbolic.below.items(number).get(first_row) else { return };
         let owner = self.symbolic.owners[*row];
         if owner < self.part.nodes.end {
             self.waiting(number).next = std::mem::replace(&mut self.waiting(owner).first, number);

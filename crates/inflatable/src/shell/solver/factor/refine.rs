@@ -30,7 +30,7 @@ impl Refinement {
     }
 
     /// The norm of what the last solution leaves of its right side.
-    pub(super) fn left(&self) -> f64 {
+    pub(super) fn residual_norm(&self) -> f64 {
         dot(&self.residual, &self.residual).sqrt()
     }
 

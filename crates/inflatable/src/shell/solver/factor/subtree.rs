@@ -36,7 +36,7 @@ struct TreeWork {
 
 impl Subtree {
     /// The whole tree.
-    pub(super) fn whole(supernodes: &[Supernode], parents: &[usize]) -> Self {
+    pub(super) fn whole_tree(supernodes: &[Supernode], parents: &[usize]) -> Self {
         let tree = TreeWork::new(supernodes, parents);
         let count = supernodes.len();
         let total_work: u64 = tree.children[count].iter().map(|root| tree.work[*root]).sum();

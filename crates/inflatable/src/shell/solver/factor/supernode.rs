@@ -38,7 +38,7 @@ impl Supernode {
     }
 
     /// This one and the one before it as one; `None` if too many zeros come with that.
-    fn with(&self, previous: &Self) -> Option<Self> {
+    fn joined(&self, previous: &Self) -> Option<Self> {
         let mut joined = Self { first: previous.first, height: previous.width() + self.height, ..*self };
         let filled = previous.numbers() - previous.zeros + self.numbers() - self.zeros;
         joined.zeros = joined.numbers() - filled;
@@ -60,7 +60,7 @@ pub(super) fn supernodes(tree: &Tree) -> Vec<Supernode> {
         let height = tree.heights[first];
         let mut node = Supernode { first, end, height, zeros: 0, start: 0 };
         while let Some(previous) = supernodes.last().filter(|before| (tree.parents[before.end - 1]) < end) {
-            let Some(merged) = node.with(previous) else { break };
+            let Some(merged) = node.joined(previous) else { break };
             let _ = supernodes.pop();
             node = merged;
         }

@@ -43,9 +43,9 @@ impl Symbolic {
         };
         symbolic.fill(lower, &tree);
         symbolic.order = tree.order;
-        let parent = |number| symbolic.below.of(number).first().map_or(NONE, |row| symbolic.owners[*row]);
+        let parent = |number| symbolic.below.items(number).first().map_or(NONE, |row| symbolic.owners[*row]);
         let parents: Vec<usize> = (0..symbolic.supernodes.len()).map(parent).collect();
-        symbolic.whole = Subtree::whole(&symbolic.supernodes, &parents);
+        symbolic.whole = Subtree::whole_tree(&symbolic.supernodes, &parents);
         symbolic
     }
 
@@ -66,7 +66,7 @@ impl Symbolic {
                 }
             };
             for &old in &tree.order[node.first..node.end] {
-                lower.of(old).iter().for_each(|&row| add(&mut self.below.items, tree.rank[row]));
+                lower.items(old).iter().for_each(|&row| add(&mut self.below.items, tree.rank[row]));
             }
             let mut child = first[number];
             while child != NONE {
@@ -94,7 +94,7 @@ impl Symbolic {
         for (column, &old) in tree.order[node.first..node.end].iter().enumerate() {
             let start = node.start + column * node.height;
             let places = &mut self.places[lower.starts[old]..lower.starts[old + 1]];
-            for (place, &row) in places.iter_mut().zip(lower.of(old)) {
+            for (place, &row) in places.iter_mut().zip(lower.items(old)) {
                 *place = start + local[tree.rank[row]];
             }
         }

@@ -209,7 +209,7 @@ fn a_kept_factor_serves_a_matrix_near_by_and_finds_that_one_is_indefinite() {
         assert!(!factor.keep_for(&values), "there is none yet");
         assert!(factor.compute(&values, 0.0, &[]) && factor.keep_for(&lower(&perturbed).2));
         let mut solution = rhs.clone();
-        assert!(factor.solve_within(10, &mut solution, EXACT) && factor.left() < 1e-6);
+        assert!(factor.solve_within(10, &mut solution, EXACT) && factor.residual() < 1e-6);
         assert!((DVector::from_vec(solution) - &expected).amax() < 1e-8);
         assert!(!factor.solve_within(1, &mut rhs.clone(), EXACT) && factor.is_confirmed());
         let indefinite = DMatrix::from_fn(size, size, |i, j| if i + j == 0 { -1.0 } else { matrix[(i, j)] });

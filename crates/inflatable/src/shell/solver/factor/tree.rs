@@ -15,7 +15,7 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    pub(super) fn of(&self, list: usize) -> &[usize] {
+    pub(super) fn items(&self, list: usize) -> &[usize] {
         &self.items[self.starts[list]..self.starts[list + 1]]
     }
 
@@ -34,7 +34,7 @@ impl Lists {
         }
         let (mut next, mut items) = (starts.clone(), vec![0; self.items.len()]);
         for list in 0..self.count() {
-            for &item in self.of(list) {
+            for &item in self.items(list) {
                 let place = &mut next[item];
                 items[*place] = list;
                 *place += 1;
@@ -83,7 +83,7 @@ fn parents(upper: &Lists) -> Vec<usize> {
     // Some column above each, from which searches go on.
     let mut ancestors = parents.clone();
     for row in 0..upper.count() {
-        for &column in upper.of(row) {
+        for &column in upper.items(row) {
             let mut column = column;
             while column != NONE && column < row {
                 let next = std::mem::replace(&mut ancestors[column], row);
@@ -103,7 +103,7 @@ fn heights(upper: &Lists, parents: &[usize]) -> Vec<usize> {
     let mut marked = vec![NONE; parents.len()];
     for row in 0..parents.len() {
         marked[row] = row;
-        for &column in upper.of(row) {
+        for &column in upper.items(row) {
             let mut column = column;
             while marked[column] != row {
                 marked[column] = row;

@@ -71,16 +71,16 @@ impl<R: RealField + Copy> Section<'_, R> {
                 beyond.rows[row - part.columns.end] = R::zero();
             }
         }
-        self.threads.each(self.parts(), Section::solve_forwards);
+        self.threads.run_each(self.parts(), Section::solve_forwards);
         for (k, part) in self.part.parts.iter().enumerate() {
             for &row in rows_beyond(self.symbolic, part) {
                 let added = self.beyond.parts[k].rows[row - part.columns.end];
-                *self.at(row) += added;
+                *self.row(row) += added;
             }
         }
         let first_column = self.part.columns.start;
         for &number in &self.part.own {
-            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
+            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.items(number));
             let (width, entries) =
                 (node.width(), &mut self.vector[node.first - first_column..node.end - first_column]);
             let gathered = &mut self.beyond.gathered;
@@ -94,7 +94,7 @@ impl<R: RealField + Copy> Section<'_, R> {
             }
             for (k, &row) in rows.iter().enumerate() {
                 let added = self.beyond.gathered[k];
-                *self.at(row) += added;
+                *self.row(row) += added;
             }
         }
     }
@@ -102,10 +102,10 @@ impl<R: RealField + Copy> Section<'_, R> {
     fn solve_backwards(mut self) {
         let first_column = self.part.columns.start;
         for &number in self.part.own.iter().rev() {
-            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
+            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.items(number));
             let mut gathered = std::mem::take(&mut self.beyond.gathered);
             gathered.clear();
-            gathered.extend(rows.iter().map(|row| *self.at(*row)));
+            gathered.extend(rows.iter().map(|row| *self.row(*row)));
             let (width, entries) =
                 (node.width(), &mut self.vector[node.first - first_column..node.end - first_column]);
             for k in (0..width).rev() {
@@ -118,10 +118,10 @@ impl<R: RealField + Copy> Section<'_, R> {
         }
         for (k, part) in self.part.parts.iter().enumerate() {
             for &row in rows_beyond(self.symbolic, part) {
-                self.beyond.parts[k].rows[row - part.columns.end] = *self.at(row);
+                self.beyond.parts[k].rows[row - part.columns.end] = *self.row(row);
             }
         }
-        self.threads.each(self.parts(), Section::solve_backwards);
+        self.threads.run_each(self.parts(), Section::solve_backwards);
     }
 
     /// The smaller parts, each with its own rows.
@@ -138,7 +138,7 @@ impl<R: RealField + Copy> Section<'_, R> {
     }
 
     /// A row of the part or after it.
-    fn at(&mut self, row: usize) -> &mut R {
+    fn row(&mut self, row: usize) -> &mut R {
         let columns = &self.part.columns;
         if row < columns.end {
             &mut self.vector[row - columns.start]
@@ -150,7 +150,7 @@ impl<R: RealField + Copy> Section<'_, R> {
 
 /// The rows after those of a part that its supernodes change and read.
 fn rows_beyond<'a>(symbolic: &'a Symbolic, part: &Subtree) -> &'a [usize] {
-    symbolic.below.of(part.nodes.end - 1)
+    symbolic.below.items(part.nodes.end - 1)
 }
 
 /// In four sums, which a processor adds at once.

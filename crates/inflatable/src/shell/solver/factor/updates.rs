@@ -32,7 +32,7 @@ impl<R: RealField + Copy> Updates<'_, R> {
             self.subtract_columns(self.node.first, panel, scratch);
             return;
         }
-        threads.each(panel.chunks_mut(TOGETHER * height).enumerate().collect(), |(k, block)| {
+        threads.run_each(panel.chunks_mut(TOGETHER * height).enumerate().collect(), |(k, block)| {
             self.subtract_columns(self.node.first + k * TOGETHER, block, &mut Scratch::default());
         });
     }
@@ -42,7 +42,7 @@ impl<R: RealField + Copy> Updates<'_, R> {
         let Self { symbolic, part, done: finished, node, local, .. } = *self;
         let end = first + block.len() / node.height;
         for &(other, from) in self.givers {
-            let rows = symbolic.below.of(other);
+            let rows = symbolic.below.items(other);
             let from = from + rows[from..].iter().take_while(|row| **row < first).count();
             let rows_below = &rows[from..];
             let columns = rows_below.iter().take_while(|row| **row < end).count();

@@ -106,11 +106,11 @@ fn is_in_piece(p: Point, cut: Option<&Enclosures>) -> bool {
 fn paper_in_band(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let cut = shape.cut.as_ref().map(|cut| Enclosures::new([cut]));
     let reach = shape.band / 2.0 + area.gap - OFF;
-    let mut across =
+    let mut points =
         shape.seams.iter().flat_map(|seam| probes(&seam.center_line)).flat_map(|(p, left)| {
             [0.0, reach / 2.0, -reach / 2.0, reach, -reach].map(|aside| p + left * aside)
         });
-    across.find(|p| is_in_piece(*p, cut.as_ref()) && area.covers(*p))
+    points.find(|p| is_in_piece(*p, cut.as_ref()) && area.covers(*p))
 }
 
 /// A place beside a band where the sheets weld on both sides.
@@ -122,8 +122,8 @@ fn welded_air(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let lines = SegmentIndex::new(lines.collect());
     let reach = shape.band / 2.0 + area.gap + OFF;
     let is_clear = |p: Point| !lines.has_within(p, reach - 1e-6);
-    let along = shape.seams.iter().flat_map(|seam| probes(&seam.center_line));
-    along
+    let seam_probes = shape.seams.iter().flat_map(|seam| probes(&seam.center_line));
+    seam_probes
         .filter(|(p, _)| is_in_piece(*p, cut.as_ref()))
         .find(|(p, left)| {
             let sides = [*p + *left * reach, *p - *left * reach];
@@ -139,6 +139,6 @@ fn stray_paper(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let is_port =
         |p: Point| shape.ports.iter().any(|port| port.at.distance(p) < port.width / 2.0 + shape.band);
     // Just inside: tongues end on the cut.
-    let inside = |(p, left): (Point, Vec2)| p + left * (if cut.area() > 0.0 { OFF } else { -OFF });
-    probes(cut).map(inside).find(|p| area.covers(*p) && !is_port(*p))
+    let inner_point = |(p, left): (Point, Vec2)| p + left * (if cut.area() > 0.0 { OFF } else { -OFF });
+    probes(cut).map(inner_point).find(|p| area.covers(*p) && !is_port(*p))
 }

@@ -50,14 +50,14 @@ impl PendingHeater {
         }
         let rest = line.strip_prefix("TEMPERATURE_WAIT SENSOR=\"heater_generic ")?;
         let (name, limits) = rest.split_once("\" MINIMUM=")?;
-        let (least, most) = match limits.split_once(" MAXIMUM=") {
-            Some((least, most)) => (number::value(least)?, Some(number::value(most)?)),
+        let (minimum, maximum) = match limits.split_once(" MAXIMUM=") {
+            Some((minimum, maximum)) => (number::value(minimum)?, Some(number::value(maximum)?)),
             None => (number::value(limits)?, None),
         };
         let (heater, celsius) = self.0.take()?;
         let is_near = |limit: f64| (limit - celsius).abs() <= NEAR;
-        let right = heater == name && is_near(least) && most.is_none_or(is_near);
-        let waits_for_cooler = most.is_some();
+        let right = heater == name && is_near(minimum) && maximum.is_none_or(is_near);
+        let waits_for_cooler = maximum.is_some();
         right.then_some(HeaterLine::Hot { heater: Heater::Named(heater), celsius, waits_for_cooler })
     }
 }

@@ -122,22 +122,22 @@ impl Machine {
     }
 
     /// Follows a command to a heater; `waits_for_cooler`: it also waits for a heater that is too hot.
-    pub(super) fn heat(&mut self, heat: Heat, waits_for_cooler: bool, out: &mut Vec<Event>) {
+    pub(super) fn heat(&mut self, heat: Heat, waits_for_cooler: bool, events: &mut Vec<Event>) {
         let may_be_hotter =
             !waits_for_cooler && self.waited_for_celsius.is_some_and(|hot| hot > heat.celsius + 0.5);
         let is_hot = heat.waits && !may_be_hotter && heat.celsius > 0.0;
         self.waited_for_celsius = is_hot.then_some(heat.celsius);
-        out.push(Event::Heat(heat));
+        events.push(Event::Heat(heat));
     }
 
     /// Follows a line that puts the machine in order: homing leaves the iron at a place that the program does not state.
-    pub(super) fn serve(&mut self, call: ServiceCall, out: &mut Vec<Event>) {
+    pub(super) fn serve(&mut self, call: ServiceCall, events: &mut Vec<Event>) {
         if let Service::Home(axes) = call.service {
             for (position, _) in self.position.iter_mut().zip(axes).filter(|(_, is_homed)| *is_homed) {
                 *position = None;
             }
         }
-        out.push(Event::Service(call));
+        events.push(Event::Service(call));
     }
 
     /// The move to the axis words of the block, with its path and its feed.
