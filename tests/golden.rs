@@ -1,6 +1,6 @@
 //! Golden files: every output of every shipped design; and the release program writes the same bytes.
 //!
-//! Three designs that have every feature between them are kept whole: `snapshots/<design>/` holds the files of a build. The
+//! Four designs that have every feature between them are kept whole: `snapshots/<design>/` holds the files of a build. The
 //! others have a digest, `snapshots/<design>.digest.snap`: a line a file, with its hash and the figures that the verifier reads
 //! out of it, so that a person sees the changes. `INSTA_UPDATE=always` renews all of them.
 
@@ -23,7 +23,7 @@ use stargrip_cam::{pipeline, spec};
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// The designs whose files are kept byte for byte.
-const WHOLE: [&str; 3] = ["every-feature", "paper-five-points", "paper-gripper"];
+const WHOLE: [&str; 4] = ["every-feature", "laser", "paper-five-points", "paper-gripper"];
 
 /// (name, text) of every design, sorted by name.
 fn designs() -> Vec<(String, String)> {
@@ -278,7 +278,7 @@ fn every_key_that_changes_files_is_set_in_a_golden_design() {
         .map(ToString::to_string)
         .filter(|name| name != SINGLE_STARS && !keys_set.contains(name))
         .collect();
-    assert!(missing.is_empty(), "set in tests/golden/every-feature.toml: {missing:?}");
+    assert!(missing.is_empty(), "set in tests/golden/every-feature.toml or laser.toml: {missing:?}");
 }
 
 /// The files of the program in the release profile; `make check` builds it first.

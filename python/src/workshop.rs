@@ -26,7 +26,8 @@ fn files<B: AsRef<[u8]>>(
 /// They have been read back.
 ///
 /// temperatures: of the grid of strips, `["180 C", "200 C"]`; default: the spec's.
-/// speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's.
+/// powers: of a laser, in place of temperatures and heights, `["8 %", "10 %"]`; default: three quarters, once and five quarters of the spec's.
+/// speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's; of a laser half, once and twice.
 /// heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
 /// times: of a heat press, in place of speeds and heights, `["10 s", "20 s"]`; default: half, once and twice the spec's.
 /// only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.
@@ -36,7 +37,7 @@ fn files<B: AsRef<[u8]>>(
 #[pyfunction]
 #[pyo3(
     signature = (spec, **grid),
-    text_signature = "(spec, *, temperatures=None, speeds=None, heights=None, times=None, only=None, repeats=None)"
+    text_signature = "(spec, *, temperatures=None, powers=None, speeds=None, heights=None, times=None, only=None, repeats=None)"
 )]
 pub(crate) fn coupon<'py>(
     py: Python<'py>,

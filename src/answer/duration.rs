@@ -5,11 +5,11 @@ use design::PressPlan;
 use program::plan::{ProcessTime, Program, process_times};
 use spec::SealProcess;
 
-/// Temperature, speed and time of every process: "weak at 170 C and 2 mm/s, 0 h 03 min; then seal at ...".
+/// Temperature or power, speed and time of every process: "weak at 170 C and 2 mm/s, 0 h 03 min; then seal at ...".
 pub fn processes_in_words(programs: &[Program]) -> Option<String> {
     let in_words = |time: ProcessTime<'_>| {
         let SealProcess { name, seal, .. } = time.process;
-        format!("{name} at {} and {}, {}", seal.temperature, seal.speed, hours(time.seconds))
+        format!("{name} at {} and {}, {}", seal.heat_in_words(), seal.speed, hours(time.seconds))
     };
     let words: Vec<String> = process_times(programs).into_iter().map(in_words).collect();
     (!words.is_empty()).then(|| words.join("; then "))

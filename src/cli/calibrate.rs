@@ -14,7 +14,7 @@ use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{
-    Calibration, ToolPace, calibrate, listing, read_press_rows, read_rows, settings, steady,
+    Calibration, ToolPace, calibrate, listing, read_laser_rows, read_press_rows, read_rows, settings, steady,
 };
 use design::Design;
 use forecast::case::Case;
@@ -31,7 +31,8 @@ use spec::{Allowed, Source};
     Without RESULTS only the bench tests are evaluated: V-actuator, disc, bias strip."
 )]
 pub(super) struct Args {
-    /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N; of a press with time_s.
+    /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N; of a press with time_s, of a laser with power_percent
+    /// and focus_mm.
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
     /// Required strength of the seal, such as "1.2 N/mm".
@@ -50,6 +51,9 @@ pub(super) struct Args {
     /// The table is of a heat press: a section `[press]` is printed in the place of `[seal]`.
     #[arg(long, requires = "results", conflicts_with = "process")]
     press: bool,
+    /// The table is of a laser: `power` and `focus` are printed in the place of `temperature`.
+    #[arg(long, requires = "results", conflicts_with = "press")]
+    laser: bool,
     #[command(flatten)]
     bench: BenchArgs,
     #[command(flatten)]
@@ -67,7 +71,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let settings = match &args.results {
         Some(path) => {
             let table = Source::new(path.display().to_string(), read_text(path, TABLE)?);
-            settings(&if args.press { read_press_rows(&table)? } else { read_rows(&table)? })
+            settings(&match (args.press, args.laser) {
+                (true, _) => read_press_rows(&table)?,
+                (false, true) => read_laser_rows(&table)?,
+                (false, false) => read_rows(&table)?,
+            })
         }
         None => Vec::new(),
     };
@@ -147,8 +155,10 @@ impl BenchResult<'_> {
 
 /// The JSON answer for one setting.
 fn setting(calibration: &Calibration) -> Value {
+    let heat =
+        if let ToolPace::Laser { .. } = calibration.setting.pace { "power_percent" } else { "temperature_C" };
     let mut setting = json!({
-        "temperature_C": calibration.setting.temperature,
+        heat: calibration.setting.heat,
         "specimens": calibration.count,
         "mean_N_mm": calibration.mean,
         "deviation_N_mm": Some(calibration.deviation).filter(|_| calibration.count > 1),
@@ -158,6 +168,10 @@ fn setting(calibration: &Calibration) -> Value {
         ToolPace::Iron { speed, height } => {
             setting["speed_mm_s"] = json!(speed);
             setting["height_mm"] = json!(height);
+        }
+        ToolPace::Laser { speed, focus } => {
+            setting["speed_mm_s"] = json!(speed);
+            setting["focus_mm"] = json!(focus);
         }
         ToolPace::Press { time } => setting["time_s"] = json!(time),
     }

@@ -17,8 +17,8 @@ use crate::cli::words::words;
 use crate::coupon::{CouponGroup, PressGrid, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use proof::artifact::Kind;
-use spec::units::{Duration, Length, Speed, Temperature, count_text};
-use spec::{CONTACT, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
+use spec::units::{Duration, Length, Percent, Speed, Temperature, count_text};
+use spec::{CONTACT, POWERS, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
 
 /// How often each setting is sealed by default.
 const REPEATS: u8 = 3;
@@ -34,7 +34,10 @@ pub(super) struct Args {
     /// Temperatures of the grid, above 40 C and below 300 C, where the PTFE release layer gives off toxic fumes; default: the spec's.
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Temperature>(TEMPERATURES))]
     temperatures: Vec<Temperature>,
-    /// Speeds of the grid; default: once, twice and five times the spec's.
+    /// Powers of a laser, in place of temperatures; default: three quarters, once and five quarters of the spec's.
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Percent>(POWERS), conflicts_with_all = ["temperatures", "heights", "times"])]
+    powers: Vec<Percent>,
+    /// Speeds of the grid; default: once, twice and five times the spec's; of a laser half, once and twice.
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(SEAL_SPEEDS))]
     speeds: Vec<Speed>,
     /// Times of a heat press, in place of speeds and heights; default: half, once and twice the spec's.
@@ -66,6 +69,7 @@ impl Args {
         }
         let options = [
             ("--temperatures", !self.temperatures.is_empty()),
+            ("--powers", !self.powers.is_empty()),
             ("--speeds", !self.speeds.is_empty()),
             ("--heights", !self.heights.is_empty()),
             ("--times", !self.times.is_empty()),
@@ -113,7 +117,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let times: Vec<_> = times
         .map(|(name, coupon)| json!({ "program": name, "time_s": coupon.program.time.round() }))
         .collect();
-    let json = json!({
+    let mut json = json!({
         "wrote": args.output,
         "programs": programs,
         "times": times,
@@ -126,6 +130,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "heights_mm": grid.heights.iter().map(|height| height.0).collect::<Vec<_>>(),
         "repeats": grid.repeats,
     });
+    if !grid.powers.is_empty() {
+        json["powers_percent"] = json!(grid.powers.iter().map(|power| power.0).collect::<Vec<_>>());
+    }
     let has_pressure = spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
     args.verbosity.report(&text(args, (&proven, has_pressure), &programs, &drawings), &json)
 }
@@ -179,9 +186,10 @@ fn press_grid(args: &Args, loaded: &Loaded, press: &Press) -> Result<PressGrid, 
     if args.only.iter().any(|group| *group != CouponGroup::Strips) {
         loaded.with_programs("this coupon")?;
     }
-    if !args.speeds.is_empty() || !args.heights.is_empty() || args.process.is_some() {
+    let is_path = !args.speeds.is_empty() || !args.heights.is_empty() || !args.powers.is_empty();
+    if is_path || args.process.is_some() {
         return Err(Failure::Usage(
-            "a press has --temperatures and --times, no speeds, heights and processes".to_owned(),
+            "a press has --temperatures and --times, no powers, speeds, heights and processes".to_owned(),
         ));
     }
     let usual = PressGrid::around_press(press, usize::from(args.repeats.unwrap_or(REPEATS)));
@@ -239,10 +247,29 @@ fn tested_spec(args: &Args, loaded: &Loaded) -> Result<Spec, Failure> {
 /// The grid of settings to test.
 fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     let seal = &tested_spec(args, loaded)?.seal;
-    let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
+    let (is_iron_grid, is_laser_grid) =
+        (!args.temperatures.is_empty() || !args.heights.is_empty(), !args.powers.is_empty());
+    match seal.power {
+        Some(_) if is_iron_grid => {
+            return Err(Failure::Usage(
+                "a laser has --powers and --speeds, no temperatures and heights".to_owned(),
+            ));
+        }
+        None if is_laser_grid => {
+            return Err(Failure::Usage("--powers is for a laser: an iron has --temperatures".to_owned()));
+        }
+        _ => {}
+    }
+    let factors = if seal.power.is_some() { [0.5, 1.0, 2.0] } else { [1.0, 2.0, 5.0] };
+    let usual_powers: Vec<Percent> = seal.power.map_or_else(Vec::new, |power| {
+        let powers = [0.75, 1.0, 1.25].map(|factor| Percent(factor * power.0));
+        powers.into_iter().filter(|power| POWERS.contains(power.0)).collect()
+    });
+    let usual_temperatures: &[Temperature] = if seal.power.is_some() { &[] } else { &[seal.temperature] };
     let grid = StripGrid {
-        temperatures: values_or(&args.temperatures, &[seal.temperature]),
-        speeds: values_or(&args.speeds, &speeds),
+        temperatures: values_or(&args.temperatures, usual_temperatures),
+        powers: values_or(&args.powers, &usual_powers),
+        speeds: values_or(&args.speeds, &factors.map(|factor| Speed(factor * seal.speed.0))),
         heights: values_or(&args.heights, &[seal.contact(&loaded.machine.process)]),
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
@@ -282,7 +309,7 @@ fn text(
         let _ = writeln!(
             lines,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-             peel_N in {results}{}, then: stargrip-cam calibrate {} --spec {}",
+             peel_N in {results}{}, then: stargrip-cam calibrate {}{} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
             if has_pressure {
                 String::new()
@@ -290,6 +317,7 @@ fn text(
                 format!(", write `pressure` into [load] of {}", escaped_line(&spec))
             },
             argument(args.output.join(TABLE)),
+            if proven.is_of_laser() { " --laser" } else { "" },
             argument(&spec)
         );
     }

@@ -84,7 +84,11 @@ fn made_by(program: &Program, seam: &SeamReport) -> String {
     let seal = &process.seal;
     format!(
         " (process {}, {}, {}, line {}, pass {})",
-        process.name, seal.temperature, seal.speed, seam.line, seam.pass
+        process.name,
+        seal.heat_in_words(),
+        seal.speed,
+        seam.line,
+        seam.pass
     )
 }
 

@@ -9,7 +9,8 @@ use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, say};
 use crate::cli::source_file::read_source;
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
-use program::plan::actual_speed;
+use program::plan::{actual_speed, laser_settings};
+use spec::units::Least;
 use spec::{Machine, Motion, SealingTool, StepRate};
 
 /// Arguments of `machines`.
@@ -84,15 +85,18 @@ fn check(path: &Path, verbosity: Verbosity) -> Result<(), Failure> {
     if !unknown.is_empty() {
         let _ = writeln!(text, "unknown, so not checked: {}", unknown.join(", "));
     }
-    for task in &machine.script.requires {
+    let laser = machine.controller.laser;
+    let settings = laser.map(|drive| laser_settings(&machine.controller, drive)).into_iter().flatten();
+    let tasks: Vec<String> = settings.chain(machine.script.requires.iter().cloned()).collect();
+    for task in &tasks {
         let _ = writeln!(text, "before every job: {}", escaped_line(task));
     }
-    if machine.tool == SealingTool::Iron {
+    if machine.tool != SealingTool::Press {
         text += "speed, reach and clamps are checked with a spec: name the file as `profile` in [machine], then `stargrip-cam check`\n";
     }
     let mut json = machine_json(&machine);
     json["unknown"] = json!(unknown);
-    json["requires"] = json!(machine.script.requires);
+    json["requires"] = json!(tasks);
     verbosity.report(&text, &json)
 }
 
@@ -102,6 +106,7 @@ fn controller(machine: &Machine) -> String {
         SealingTool::Iron => {
             format!("dialect {}, heated {}", machine.controller.dialect.name(), machine.heater())
         }
+        SealingTool::Laser => format!("dialect {}, a laser", machine.controller.dialect.name()),
         SealingTool::Press => "a heat press".to_owned(),
     }
 }
@@ -141,7 +146,7 @@ fn list(machines: &[Machine], verbose: bool) -> String {
         format!("{:15} {:15} {:8} {}\n", "profile", "dialect", "heated", "how to know your controller");
     for machine in machines {
         let dialect = match machine.tool {
-            SealingTool::Iron => machine.controller.dialect.name(),
+            SealingTool::Iron | SealingTool::Laser => machine.controller.dialect.name(),
             SealingTool::Press => "none",
         };
         let _ = writeln!(text, "{:15} {dialect:15} {:8} {}", machine.name, machine.heater(), machine.sign());
@@ -173,7 +178,7 @@ fn machine_json(machine: &Machine) -> Value {
         "name": machine.name,
         "description": machine.description,
         "ability": ability(machine),
-        "dialect": (machine.tool == SealingTool::Iron).then(|| machine.controller.dialect.name()),
+        "dialect": (machine.tool != SealingTool::Press).then(|| machine.controller.dialect.name()),
         "heated": machine.heater(),
         "sign": machine.sign(),
     })
@@ -186,7 +191,7 @@ const NO_PROGRAM: &str = "no program: `time` and `temperature` in [press]";
 fn ability_in_words(machine: &Machine) -> String {
     match machine.tool {
         SealingTool::Iron => format!("at {SLOW} mm/s: {}", ability(machine)),
-        SealingTool::Press => ability(machine),
+        SealingTool::Press | SealingTool::Laser => ability(machine),
     }
 }
 
@@ -195,7 +200,19 @@ fn ability(machine: &Machine) -> String {
     match machine.tool {
         SealingTool::Iron => steady_or_chopped(&machine.motion),
         SealingTool::Press => NO_PROGRAM.to_owned(),
+        SealingTool::Laser => powered(&machine.motion),
     }
+}
+
+/// The speeds of a laser, which is never chopped into strokes.
+fn powered(motion: &Motion) -> String {
+    motion.speed_range().map_or_else(
+        || {
+            "`power` and `speed` in [seal]; the lowest speed is unknown: run `stargrip-cam feedcheck`"
+                .to_owned()
+        },
+        |(_, lowest)| format!("`power` and `speed` in [seal], from {} mm/s on", Least(lowest)),
+    )
 }
 
 /// Whether a controller moves that slowly, and how.

@@ -24,12 +24,33 @@ impl FabricArg {
     pub(super) fn written_into(&self, source: Source, quiet: bool) -> Result<Source, Failure> {
         let Some(name) = &self.fabric else { return Ok(source) };
         let material = material(name)?;
+        if spec::seals_by_laser(&source) && gives_off_chlorine(name) {
+            return Err(Failure::Message(chlorine_refused(name)));
+        }
         let text = spec::with_material(&source, &material)?;
         if !quiet {
             tell(&format!("note: the values of the fabric are from {}", escaped_line(&material.name)));
         }
         Ok(Source::new(format!("{} with the fabric {name}", source.name), text))
     }
+}
+
+/// Names of polyvinyl chloride, in lower case: a laser makes hydrogen chloride of it.
+const CHLORINATED: [&str; 3] = ["pvc", "vinyl", "polyvinylchlorid"];
+
+/// Whether a fabric called `name` is PVC.
+fn gives_off_chlorine(name: &str) -> bool {
+    let plain: String = name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
+    CHLORINATED.iter().any(|word| plain.contains(word))
+}
+
+/// The message that no laser seals the fabric `name`.
+fn chlorine_refused(name: &str) -> String {
+    format!(
+        "the fabric {} is PVC by its name, and the spec seals with a laser: the fumes are toxic and corrode the machine; take another \
+         fabric, or seal it with an iron or a press",
+        escaped_line(name)
+    )
 }
 
 /// The ending of a material's file.
@@ -83,4 +104,23 @@ fn unknown(name: &str) -> String {
         escaped_line(name),
         list.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pvc_is_known_by_its_names() {
+        for (name, is_chlorinated) in [
+            ("PVC banner", true),
+            ("materials/soft-pvc.toml", true),
+            ("Poly-Vinyl-Chloride", true),
+            ("vinyl", true),
+            ("paper", false),
+            ("TPU 70D nylon", false),
+        ] {
+            assert_eq!(gives_off_chlorine(name), is_chlorinated, "{name}");
+        }
+    }
 }

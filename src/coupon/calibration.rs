@@ -1,6 +1,6 @@
 //! From the filled-in table of a peel test to the seal settings of a spec.
 //!
-//! A **setting** is a commanded temperature, and speed and height of an iron or time of a press. It **holds** if the lower bound of its peel strength, mean less two standard
+//! A **setting** is a commanded temperature, and speed and height of an iron or time of a press; of a laser it is power, speed and focus. It **holds** if the lower bound of its peel strength, mean less two standard
 //! deviations, is at least the margin times the required strength. Of the settings that hold the fastest is chosen, of equals the
 //! strongest. Fewer than three specimens of a setting, or a spread above a quarter, support no choice. Without a required strength there is
 //! none either, because even the weakest seal would pass.
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use crate::coupon::strips::{TEMPERATURES, WIDTH};
 use crate::coupon::table::{TableColumn, read_table};
 use spec::units::Readable;
-use spec::{Allowed, CONTACT, Faults, PRESS_TIMES, SEAL_SPEEDS, Source};
+use spec::{Allowed, CONTACT, FOCUSES, Faults, POWERS, PRESS_TIMES, SEAL_SPEEDS, Source};
 
 /// Least number of specimens of a setting.
 const LEAST: usize = 3;
@@ -55,16 +55,38 @@ const PRESS_COLUMNS: [TableColumn; 3] = [
     PEEL,
 ];
 
+const SPEED: TableColumn = TableColumn {
+    names: &["speed"],
+    unit: "mm_s",
+    allowed: SEAL_SPEEDS,
+    optional: false,
+    slip: "convert mm/min to mm/s; check whether the columns are exchanged",
+};
+
+/// The columns of the table that `coupon` writes for a laser.
+const LASER_COLUMNS: [TableColumn; 4] = [
+    TableColumn {
+        names: &["power"],
+        unit: "percent",
+        allowed: POWERS,
+        optional: false,
+        slip: "write per cent of full power, not S words; check whether the columns are exchanged",
+    },
+    SPEED,
+    TableColumn {
+        names: &["focus"],
+        unit: "mm",
+        allowed: FOCUSES,
+        optional: false,
+        slip: "convert cm to mm; check whether the columns are exchanged",
+    },
+    PEEL,
+];
+
 /// The columns of the table that `coupon` writes for an iron, with the numbers that a spec and a profile may have.
 const COLUMNS: [TableColumn; 4] = [
     TEMPERATURE,
-    TableColumn {
-        names: &["speed"],
-        unit: "mm_s",
-        allowed: SEAL_SPEEDS,
-        optional: false,
-        slip: "convert mm/min to mm/s; check whether the columns are exchanged",
-    },
+    SPEED,
     TableColumn {
         names: &["height"],
         unit: "mm",
@@ -85,6 +107,13 @@ pub enum ToolPace {
         /// Height of the tip, mm.
         height: f64,
     },
+    /// A laser that moves along.
+    Laser {
+        /// Speed, mm/s.
+        speed: f64,
+        /// Height of the focus above the sheet, mm.
+        focus: f64,
+    },
     /// Plates that rest.
     Press {
         /// Time under pressure, s.
@@ -97,6 +126,7 @@ impl ToolPace {
     fn numbers(self) -> [f64; 2] {
         match self {
             Self::Iron { speed, height } => [speed, height],
+            Self::Laser { speed, focus } => [speed, focus],
             Self::Press { time } => [time, 0.0],
         }
     }
@@ -104,7 +134,7 @@ impl ToolPace {
     /// A number that grows as a part is made faster.
     fn haste(self) -> f64 {
         match self {
-            Self::Iron { speed, .. } => speed,
+            Self::Iron { speed, .. } | Self::Laser { speed, .. } => speed,
             Self::Press { time } => 1.0 / time,
         }
     }
@@ -113,8 +143,8 @@ impl ToolPace {
 /// One filled-in row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeelRow {
-    /// Temperature, in degrees Celsius.
-    pub temperature: f64,
+    /// Temperature, in degrees Celsius; of a laser its power, %.
+    pub heat: f64,
     /// Speed and height, or time.
     pub pace: ToolPace,
     /// Peel force of the specimen, N over its 25 mm.
@@ -142,7 +172,7 @@ pub struct Calibration {
 /// All faults of the table, see [`read_table`].
 pub fn read_press_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
     let tested = |[temperature, time, peel]: [Option<f64>; 3]| {
-        Some(PeelRow { temperature: temperature?, pace: ToolPace::Press { time: time? }, peel: peel? })
+        Some(PeelRow { heat: temperature?, pace: ToolPace::Press { time: time? }, peel: peel? })
     };
     Ok(read_table(source, &PRESS_COLUMNS)?.into_iter().filter_map(tested).collect())
 }
@@ -154,9 +184,21 @@ pub fn read_press_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
 pub fn read_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
     let tested = |[temperature, speed, height, peel]: [Option<f64>; 4]| {
         let pace = ToolPace::Iron { speed: speed?, height: height? };
-        Some(PeelRow { temperature: temperature?, pace, peel: peel? })
+        Some(PeelRow { heat: temperature?, pace, peel: peel? })
     };
     Ok(read_table(source, &COLUMNS)?.into_iter().filter_map(tested).collect())
+}
+
+/// Reads the table of a laser; rows without a peel force were not tested and are left out.
+///
+/// # Errors
+/// All faults of the table, see [`read_table`].
+pub fn read_laser_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
+    let tested = |[power, speed, focus, peel]: [Option<f64>; 4]| {
+        let pace = ToolPace::Laser { speed: speed?, focus: focus? };
+        Some(PeelRow { heat: power?, pace, peel: peel? })
+    };
+    Ok(read_table(source, &LASER_COLUMNS)?.into_iter().filter_map(tested).collect())
 }
 
 /// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
@@ -166,7 +208,7 @@ pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
     for row in rows {
         // 0 is added because 0 and -0 are one height.
         let [first, second] = row.pace.numbers();
-        let key = [row.temperature, first, second].map(|x| (x + 0.0).to_bits());
+        let key = [row.heat, first, second].map(|x| (x + 0.0).to_bits());
         let place = *places.entry(key).or_insert(groups.len());
         match groups.get_mut(place) {
             Some((_, peels)) => peels.push(row.peel / WIDTH),
@@ -248,11 +290,21 @@ impl Calibration {
 
     /// The lines for the spec: a section of the process called `name`.
     pub fn process_toml(&self, name: &str) -> String {
-        let temperature = self.setting.temperature;
-        // A press has no processes: all seams are made at once.
-        let ToolPace::Iron { speed, height } = self.setting.pace else { return self.toml() };
+        let heat = self.setting.heat;
+        let (speed, height) = match self.setting.pace {
+            ToolPace::Iron { speed, height } => (speed, height),
+            ToolPace::Laser { speed, focus } => {
+                return format!(
+                    "{}[process.{name}]\npower = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\nstrength = \"{:.3} N/mm\"\n",
+                    self.specimens(),
+                    self.written_strength()
+                );
+            }
+            // A press has no processes: all seams are made at once.
+            ToolPace::Press { .. } => return self.toml(),
+        };
         format!(
-            "{}{}[process.{name}]\ntemperature = \"{temperature} C\"\nspeed = \"{speed} mm/s\"\nheight = \"{height} mm\"\n\
+            "{}{}[process.{name}]\ntemperature = \"{heat} C\"\nspeed = \"{speed} mm/s\"\nheight = \"{height} mm\"\n\
              strength = \"{:.3} N/mm\"\n",
             self.specimens(),
             warning(speed),
@@ -271,17 +323,19 @@ impl Calibration {
 
     /// The lines for the spec.
     pub fn toml(&self) -> String {
-        let (specimens, strength, temperature) =
-            (self.specimens(), self.written_strength(), self.setting.temperature);
+        let (specimens, strength, heat) = (self.specimens(), self.written_strength(), self.setting.heat);
         let fabric = format!("{specimens}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n");
         match self.setting.pace {
             ToolPace::Iron { speed, height } => format!(
                 "{fabric}# tip at {height} mm: heights.contact of the machine profile\n\
-                 {}[seal]\ntemperature = \"{temperature} C\"\nspeed = \"{speed} mm/s\"\n",
+                 {}[seal]\ntemperature = \"{heat} C\"\nspeed = \"{speed} mm/s\"\n",
                 warning(speed)
             ),
+            ToolPace::Laser { speed, focus } => format!(
+                "{fabric}[seal]\npower = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\n"
+            ),
             ToolPace::Press { time } => {
-                format!("{fabric}[press]\ntemperature = \"{temperature} C\"\ntime = \"{time} s\"\n")
+                format!("{fabric}[press]\ntemperature = \"{heat} C\"\ntime = \"{time} s\"\n")
             }
         }
     }
@@ -304,15 +358,19 @@ fn warning(speed: f64) -> String {
 pub fn listing(settings: &[Calibration]) -> String {
     let mut sorted: Vec<&Calibration> = settings.iter().collect();
     sorted.sort_by(|a, b| b.setting.pace.haste().total_cmp(&a.setting.pace.haste()));
-    let is_pressed = sorted.iter().any(|c| matches!(c.setting.pace, ToolPace::Press { .. }));
-    let pace_heads =
-        if is_pressed { "time/s  temperature/C" } else { "speed/(mm/s)  temperature/C  height/mm" };
+    let pace_heads = match sorted.first().map(|c| c.setting.pace) {
+        Some(ToolPace::Press { .. }) => "time/s  temperature/C",
+        Some(ToolPace::Laser { .. }) => "speed/(mm/s)        power/%   focus/mm",
+        Some(ToolPace::Iron { .. }) | None => "speed/(mm/s)  temperature/C  height/mm",
+    };
     let mut lines = format!("# {pace_heads}  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n");
     for c in sorted {
-        let temperature = c.setting.temperature;
+        let heat = c.setting.heat;
         let pace = match c.setting.pace {
-            ToolPace::Iron { speed, height } => format!("{speed:12}  {temperature:13}  {height:9}"),
-            ToolPace::Press { time } => format!("{time:6}  {temperature:13}"),
+            ToolPace::Iron { speed, height: place } | ToolPace::Laser { speed, focus: place } => {
+                format!("{speed:12}  {heat:13}  {place:9}")
+            }
+            ToolPace::Press { time } => format!("{time:6}  {heat:13}"),
         };
         let strength = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
@@ -349,8 +407,7 @@ mod tests {
 
     #[test]
     fn a_strength_is_rounded_down() {
-        let row =
-            |peel| PeelRow { temperature: 200.0, pace: ToolPace::Iron { speed: 1.0, height: 0.0 }, peel };
+        let row = |peel| PeelRow { heat: 200.0, pace: ToolPace::Iron { speed: 1.0, height: 0.0 }, peel };
         let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
         assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
     }
@@ -378,7 +435,7 @@ mod tests {
     #[test]
     fn a_speed_that_may_be_in_mm_per_minute_is_said_to() {
         let pace = |speed| ToolPace::Iron { speed, height: 0.0 };
-        let row = PeelRow { temperature: 200.0, pace: pace(12.0), peel: 50.0 };
+        let row = PeelRow { heat: 200.0, pace: pace(12.0), peel: 50.0 };
         let text = settings(&[row; 3])[0].toml();
         assert!(text.contains("sealed at 12 mm/min, write speed = \"0.2 mm/s\""), "{text}");
         let slow = settings(&[PeelRow { pace: pace(1.0), ..row }; 3])[0].toml();
@@ -404,11 +461,7 @@ mod tests {
 
     #[test]
     fn settings_are_told_apart_by_all_of_their_values() {
-        let row = |temperature, speed, height| PeelRow {
-            temperature,
-            pace: ToolPace::Iron { speed, height },
-            peel: 25.0,
-        };
+        let row = |heat, speed, height| PeelRow { heat, pace: ToolPace::Iron { speed, height }, peel: 25.0 };
         let rows = [
             row(200.0, 1.0, 0.0),
             row(200.0, 1.0, -0.0),
@@ -417,6 +470,24 @@ mod tests {
             row(200.0, 1.0, 0.1),
         ];
         assert_eq!(settings(&rows).iter().map(|c| c.count).collect::<Vec<_>>(), [2, 1, 1, 1]);
+    }
+
+    /// A laser: the fastest that holds is chosen, and its values are those of [seal].
+    #[test]
+    fn the_fastest_laser_that_holds_is_chosen() {
+        let table = "strip,power_percent,speed_mm_s,focus_mm,peel_N,failure\n1,8,10,12,75,\n2,8,10,12,78,\n3,8,10,12,72,\n\
+            4,8,20,12,20,\n5,8,20,12,21,\n6,8,20,12,19,\n7,10,20,12,80,\n8,10,20,12,80,\n9,10,20,12,80,\n10,10,40,12,,\n";
+        let tested = settings(&read_laser_rows(&Source::new("results.csv", table)).expect("a table"));
+        let fastest = calibrate(&tested, 1.5, 1.5).expect("10 % hold at 20 mm/s");
+        assert!(
+            fastest.toml().ends_with("[seal]\npower = \"10 %\"\nspeed = \"20 mm/s\"\nfocus = \"12 mm\"\n"),
+            "{}",
+            fastest.toml()
+        );
+        assert!(fastest.process_toml("strong").contains("[process.strong]\npower = \"10 %\""));
+        let faults = read_laser_rows(&Source::new("results.csv", table.replace("1,8,10", "1,800,10")))
+            .expect_err("S words");
+        assert!(faults.to_string().contains("not S words"), "{faults}");
     }
 
     /// A press: the shortest time that holds is chosen, and its values are those of [press].

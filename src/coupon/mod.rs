@@ -21,11 +21,12 @@ use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use spec::{Machine, Spec};
 
 pub use calibration::{
-    Calibration, PeelRow, ToolPace, calibrate, listing, read_press_rows, read_rows, settings, steady,
+    Calibration, PeelRow, ToolPace, calibrate, listing, read_laser_rows, read_press_rows, read_rows,
+    settings, steady,
 };
 pub use press_cards::{PressGrid, press_drawings, press_table};
 pub use shapes::{disc, hose, vee};
-pub use strips::{StripGrid, TEMPERATURES, TestStrip, overview, table};
+pub use strips::{StripGrid, StripHeat, TEMPERATURES, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};
 
 /// A kind of coupons, which can be made on its own.
@@ -56,7 +57,7 @@ impl CouponGroup {
 pub struct Coupon {
     /// File name without its ending.
     pub name: String,
-    /// The spec with the coupon's own temperature and speed.
+    /// The spec with the coupon's own temperature or power, and speed.
     pub spec: Spec,
     /// The machine with the coupon's own height in contact.
     pub machine: Machine,
@@ -96,12 +97,12 @@ impl Coupon {
         emit::gcode(&self.spec, &self.machine, &self.program)
     }
 
-    /// The area of the iron: from the origin to the farthest end of a seam.
+    /// The area of the tool: from the origin to the farthest end of a contact.
     pub fn area(&self) -> Bounds {
-        let seams = self.seams();
-        let paths = seams.iter().flat_map(LaidSeam::paths);
-        let seam_bounds = paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-        Bounds { min: Point::ORIGIN, max: seam_bounds.max }
+        let job = self.job();
+        let paths = job.contacts.iter().flat_map(|contact| contact.laid.paths());
+        let contact_bounds = paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+        Bounds { min: Point::ORIGIN, max: contact_bounds.max }
     }
 
     /// Seams of the coupon in the order of sealing.
@@ -133,15 +134,15 @@ pub fn coupons(
     let mut coupons = Vec::new();
     let is_wanted = |group: CouponGroup| groups.contains(&group);
     if is_wanted(CouponGroup::Strips) {
-        for (temperature, speed, height) in grid.settings() {
+        for (heat, speed, height) in grid.settings() {
             let (mut spec, mut machine) = (spec.clone(), machine.clone());
-            (spec.seal.temperature, spec.seal.speed) = (temperature, speed);
+            heat.set(&mut spec.seal);
+            spec.seal.speed = speed;
             // The profile of the coupon states the height.
             spec.seal.height = None;
             let strips = grid.strips(&machine);
             machine.process.heights.contact = height;
-            let is_own =
-                |s: &&TestStrip| s.temperature == temperature && s.speed == speed && s.height == height;
+            let is_own = |s: &&TestStrip| s.heat == heat && s.speed == speed && s.height == height;
             let band = spec.seal.band.0;
             let piece = |strip: &TestStrip| {
                 let seams = vec![Seam::weld(strip.seam())];
@@ -153,7 +154,7 @@ pub fn coupons(
                 }
             };
             let pieces: Vec<CouponPiece> = strips.iter().filter(is_own).map(piece).collect();
-            let name = program_name(grid, temperature, speed, height);
+            let name = program_name(grid, heat, speed, height);
             coupons.push(coupon(&spec, &machine, &name, pieces)?);
         }
     }
@@ -223,7 +224,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
     let mut program_refusals = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     let smaller = match name {
         _ if name.starts_with("strips") => {
-            "fewer temperatures, speeds, heights or repeats; try them in several sets"
+            "fewer temperatures, powers, speeds, heights or repeats; try them in several sets"
         }
         "v-actuator" => "a smaller `tube_width` in [star]",
         _ => "a machine that reaches as far",

@@ -147,6 +147,7 @@ mod tests {
     fn seal() -> Seal {
         Seal {
             temperature: Temperature(200.0),
+            power: None,
             speed: Speed(0.1),
             band: Length(2.0),
             overlap: Length(5.0),

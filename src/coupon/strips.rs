@@ -1,13 +1,14 @@
-//! The grid of seal strips: temperature by speed by height, each repeated, and its table.
+//! The grid of seal strips: temperature by speed by height, of a laser power by speed, each repeated, and its table.
 
 use std::collections::HashMap;
+use std::fmt;
 use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::GridCell;
 use geom::{Bounds, Line, Path, Point, Vec2};
-use spec::units::{Length, Quantity, Speed, Temperature};
-use spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
+use spec::units::{Length, Percent, Quantity, Speed, Temperature};
+use spec::{Allowed, CONTACT, FOCUSES, Machine, POWERS, SEAL_SPEEDS, Seal, Spec, TOXIC};
 
 /// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
 pub const TEMPERATURES: Allowed = Allowed::open(40.0, TOXIC.0);
@@ -25,14 +26,60 @@ const EDGE: f64 = 10.0;
 /// The settings to vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StripGrid {
-    /// Temperatures of the iron.
+    /// Temperatures of the iron; none of a laser.
     pub temperatures: Vec<Temperature>,
-    /// Speeds of the iron.
+    /// Powers of a laser; none of an iron.
+    pub powers: Vec<Percent>,
+    /// Speeds of the tool.
     pub speeds: Vec<Speed>,
-    /// Heights of the tip in contact.
+    /// Heights of the tip in contact, or of a laser's focus.
     pub heights: Vec<Length>,
     /// Number of seals with each setting; at least three for a spread.
     pub repeats: usize,
+}
+
+/// What heats a strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StripHeat {
+    /// An iron.
+    Temperature(Temperature),
+    /// A laser.
+    Power(Percent),
+}
+
+impl StripHeat {
+    /// Sets `seal` to this heat.
+    pub(super) fn set(self, seal: &mut Seal) {
+        match self {
+            Self::Temperature(temperature) => seal.temperature = temperature,
+            Self::Power(power) => seal.power = Some(power),
+        }
+    }
+
+    /// The number in the unit of its column in the table.
+    fn number(self) -> f64 {
+        match self {
+            Self::Temperature(temperature) => temperature.0,
+            Self::Power(power) => power.0,
+        }
+    }
+
+    /// The heat in the name of a program: "200C", "80permille".
+    fn in_name(self) -> String {
+        match self {
+            Self::Temperature(temperature) => format!("{}C", temperature.0.round()),
+            Self::Power(power) => format!("{}permille", (10.0 * power.0).round()),
+        }
+    }
+}
+
+impl fmt::Display for StripHeat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Temperature(temperature) => temperature.fmt(f),
+            Self::Power(power) => power.fmt(f),
+        }
+    }
 }
 
 /// One strip.
@@ -40,20 +87,22 @@ pub struct StripGrid {
 pub struct TestStrip {
     /// Number in the table and on the fabric, from 1.
     pub number: usize,
-    /// Temperature of the iron.
-    pub temperature: Temperature,
-    /// Speed of the iron.
+    /// Temperature of the iron, or power of a laser.
+    pub heat: StripHeat,
+    /// Speed of the tool.
     pub speed: Speed,
-    /// Height of the tip.
+    /// Height of the tip, or of a laser's focus.
     pub height: Length,
     /// Start of the seal.
     pub start: Point,
 }
 
 impl StripGrid {
-    /// All combinations of temperature, speed and height: one program each.
-    pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed, Length)> {
-        let pairs = self.temperatures.iter().flat_map(|t| self.speeds.iter().map(move |v| (*t, *v)));
+    /// All combinations of temperature or power, speed and height: one program each.
+    pub fn settings(&self) -> impl Iterator<Item = (StripHeat, Speed, Length)> {
+        let temperatures = self.temperatures.iter().copied().map(StripHeat::Temperature);
+        let heats = temperatures.chain(self.powers.iter().copied().map(StripHeat::Power));
+        let pairs = heats.flat_map(|heat| self.speeds.iter().map(move |v| (heat, *v)));
         pairs.flat_map(|(t, v)| self.heights.iter().map(move |h| (t, v, *h)))
     }
 
@@ -65,9 +114,15 @@ impl StripGrid {
             format!("a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one")
         })
         };
+        let is_laser = machine.controller.laser.is_some();
+        let wrong_tool = if is_laser { !self.temperatures.is_empty() } else { !self.powers.is_empty() };
+        if wrong_tool {
+            return Some("a laser has powers, and an iron has temperatures: neither has both".to_owned());
+        }
         out_of_range("temperature", &self.temperatures, TEMPERATURES)
+            .or_else(|| out_of_range("power", &self.powers, POWERS))
             .or_else(|| out_of_range("speed", &self.speeds, SEAL_SPEEDS))
-            .or_else(|| out_of_range("height", &self.heights, CONTACT))
+            .or_else(|| out_of_range("height", &self.heights, if is_laser { FOCUSES } else { CONTACT }))
             .or_else(too_low)
             .or_else(|| self.alike())
     }
@@ -81,8 +136,13 @@ impl StripGrid {
             let _ = first_settings.entry(name).or_insert_with(|| setting.clone());
             Some((first?, setting))
         })?;
+        let heats = if self.powers.is_empty() {
+            "temperatures must differ by at least 1 C"
+        } else {
+            "powers must differ by at least 0.1 %"
+        };
         Some(format!(
-            "the settings {first} and {twin} cannot be told apart; temperatures must differ by at least 1 C, speeds by at \
+            "the settings {first} and {twin} cannot be told apart; {heats}, speeds by at \
              least 0.001 mm/s, heights by at least 0.001 mm, and each be given once (--repeats seals a setting more often)"
         ))
     }
@@ -97,11 +157,11 @@ impl StripGrid {
         let settings = self.settings().flat_map(|setting| (0..self.repeats).map(move |_| setting));
         settings
             .enumerate()
-            .map(|(i, (temperature, speed, height))| {
+            .map(|(i, (heat, speed, height))| {
                 #[expect(clippy::cast_precision_loss, reason = "a few hundred strips at most")]
                 let (column, row) = ((i % row) as f64, (i / row) as f64);
                 let start = Point::new(edge + column * pitch, 15.0 + row * (LEGS + 15.0));
-                TestStrip { number: i + 1, temperature, speed, height, start }
+                TestStrip { number: i + 1, heat, speed, height, start }
             })
             .collect()
     }
@@ -134,10 +194,10 @@ pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
             let min = strip.start + Vec2::new(WASTE, -spec.seal.band.0);
             let specimen = Bounds { min, max: min + Vec2::new(WIDTH, LEGS) };
             let words = vec![
-                strip.temperature.to_string(),
+                strip.heat.to_string(),
                 strip.speed.to_string(),
                 format!("Z {}", strip.height),
-                program_name(grid, strip.temperature, strip.speed, strip.height),
+                program_name(grid, strip.heat, strip.speed, strip.height),
             ];
             GridCell { number: strip.number, seam: strip.seam(), specimen, words }
         })
@@ -146,25 +206,23 @@ pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
 }
 
 /// Name of the program of a setting of `grid`, without its ending; it contains the height if the grid has several.
-pub(super) fn program_name(
-    grid: &StripGrid,
-    temperature: Temperature,
-    speed: Speed,
-    height: Length,
-) -> String {
+pub(super) fn program_name(grid: &StripGrid, heat: StripHeat, speed: Speed, height: Length) -> String {
     let z = match grid.heights.len() {
         0 | 1 => String::new(),
         _ => format!("-z{}um", (height.0 * 1e3).round()),
     };
-    format!("strips-{}C-{}um-s{z}", temperature.0.round(), (speed.0 * 1e3).round())
+    format!("strips-{}-{}um-s{z}", heat.in_name(), (speed.0 * 1e3).round())
 }
 
 /// The table to fill in, as CSV.
 pub fn table(strips: &[TestStrip]) -> String {
-    let mut lines = String::from("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n");
+    let is_laser = strips.iter().any(|strip| matches!(strip.heat, StripHeat::Power(_)));
+    let [heat_name, height_name] =
+        if is_laser { ["power_percent", "focus_mm"] } else { ["temperature_C", "height_mm"] };
+    let mut lines = format!("strip,{heat_name},speed_mm_s,{height_name},peel_N,failure\n");
     for strip in strips {
-        let TestStrip { number, temperature, speed, height, .. } = strip;
-        let _ = writeln!(lines, "{number},{},{},{},,", temperature.0, speed.0, height.0);
+        let TestStrip { number, heat, speed, height, .. } = strip;
+        let _ = writeln!(lines, "{number},{},{},{},,", heat.number(), speed.0, height.0);
     }
     lines
 }

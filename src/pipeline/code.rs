@@ -10,6 +10,7 @@ codes! {
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
         FitValve "fit-valve" "The flange of a valve is sealed to one sheet before the sheets are sealed; see the message.",
         GenericMachine "generic-machine" "The profile has no data on the machine; name your profile, or time the program of `feedcheck`.",
+        LaserSafety "laser-safety" "What protects from a laser and its fumes, or what is to be tested before it seals; see the message.",
         LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction assumes that it does not.",
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",
         MayNotHold "may-not-hold" "The gripper may not hold the object; see the numbers and the remedies.",

@@ -14,7 +14,7 @@ use proof::verify;
 use proof::verify::{
     FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, ProgramWork, Proof,
 };
-use spec::units::{Duration, Length, Speed, Temperature};
+use spec::units::{Duration, Length, Percent, Speed, Temperature};
 use spec::{Machine, Spec};
 
 /// Every strip with its setting and its cut.
@@ -106,6 +106,7 @@ impl MadeCoupons {
             name: spec.name.clone(),
             coupons: CouponChoice {
                 temperatures: grid.temperatures.iter().map(|temperature| temperature.0).collect(),
+                powers: Vec::new(),
                 speeds: Vec::new(),
                 heights: Vec::new(),
                 times: grid.times.iter().map(|time| time.0).collect(),
@@ -216,6 +217,11 @@ impl ProvenCoupons {
         &self.0
     }
 
+    /// Whether a laser makes them.
+    pub fn is_of_laser(&self) -> bool {
+        !self.0.manifest.coupons.powers.is_empty()
+    }
+
     /// All files with their names; the table and the manifest are last.
     pub fn files(&self) -> Vec<(&str, Vec<u8>)> {
         let MadeCoupons { files, table, manifest, .. } = &self.0;
@@ -270,14 +276,15 @@ fn press_settings_of(choice: &CouponChoice) -> Option<PressGrid> {
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
 fn settings_of(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
-    let CouponChoice { temperatures, speeds, heights, repeats, .. } = choice;
-    let lengths = [temperatures, speeds, heights].map(Vec::len);
+    let CouponChoice { temperatures, powers, speeds, heights, repeats, .. } = choice;
+    let lengths = [temperatures.len().checked_add(powers.len())?, speeds.len(), heights.len()];
     let strips = lengths.iter().try_fold(*repeats, |strips, length| strips.checked_mul(*length))?;
     let group =
         |name: &String| CouponGroup::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
     let groups = choice.only.iter().map(group).collect::<Option<_>>()?;
     let grid = StripGrid {
         temperatures: temperatures.iter().copied().map(Temperature).collect(),
+        powers: powers.iter().copied().map(Percent).collect(),
         speeds: speeds.iter().copied().map(Speed).collect(),
         heights: heights.iter().copied().map(Length).collect(),
         repeats: *repeats,
@@ -317,6 +324,7 @@ fn manifest(
         name: spec.name.clone(),
         coupons: CouponChoice {
             temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
+            powers: grid.powers.iter().map(|power| power.0).collect(),
             speeds: grid.speeds.iter().map(|v| v.0).collect(),
             heights: grid.heights.iter().map(|h| h.0).collect(),
             times: Vec::new(),

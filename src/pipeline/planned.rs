@@ -31,6 +31,8 @@ pub(super) fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Pl
     if machine.tool == SealingTool::Press || spec.press.is_some() {
         return pressed(spec, machine, design);
     }
+    let other_tool: Refusals = plan::no_laser(&spec, &machine).into_iter().collect();
+    other_tool.or_value(())?;
     // The size is checked before the programs are made: they may exceed the memory.
     let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
     too_many.or_value(())?;

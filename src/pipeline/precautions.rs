@@ -8,7 +8,7 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::{Pace, Program};
+use program::plan::{LASER_SAFETY, Pace, Program, laser_settings};
 use spec::units::{Readable, Speed};
 use spec::{CutTool, Machine, Marks, SealingTool};
 
@@ -65,6 +65,7 @@ impl Forecast {
             list.push(generic(self, spec));
             return unique(list);
         }
+        list.extend(laser(self, spec));
         list.extend(speed(self, spec));
         let requires = self.machine.script.requires.iter();
         list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
@@ -105,6 +106,22 @@ fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
         "only a peel test of strips of this fabric shows whether temperature, time and pressure seal it"
             .to_owned();
     [force, peel].map(|text| Precaution::new(PrecautionCode::Pressing, text)).into()
+}
+
+/// What protects from a laser, the settings that its programs rely on, and the test of its power.
+fn laser(forecast: &Forecast, path: &str) -> Vec<Precaution> {
+    let controller = &forecast.machine.controller;
+    let Some(drive) = controller.laser else { return Vec::new() };
+    let safety = LASER_SAFETY.map(|text| Precaution::new(PrecautionCode::LaserSafety, text.to_owned()));
+    let settings = laser_settings(controller, drive);
+    let settings = settings.map(|text| Precaution::new(PrecautionCode::MachineRequires, text));
+    let peel = format!(
+        "only a peel test shows whether {} at {} seals this fabric: `stargrip-cam coupon {path}` writes one",
+        forecast.spec.seal.heat_in_words(),
+        forecast.spec.seal.speed
+    );
+    let peel = Precaution::new(PrecautionCode::LaserSafety, peel);
+    safety.into_iter().chain(settings).chain([peel]).collect()
 }
 
 /// `list` without duplicate texts.
@@ -186,7 +203,7 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
 /// The task to seal the valves to their sheet first.
 fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
     let clearance = match forecast.machine.tool {
-        SealingTool::Iron => {
+        SealingTool::Iron | SealingTool::Laser => {
             let height = Readable(forecast.machine.process.heights.travel.0);
             format!("the tool passes {height} mm above the fabric between seams")
         }
@@ -294,5 +311,7 @@ fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
         "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
          `stargrip-cam coupon {path}` writes one"
     );
-    (speed > FAST).then(|| Precaution::new(PrecautionCode::FastSeal, text))
+    // A laser is as fast as its power allows: that it needs a test is said with its power.
+    (speed > FAST && forecast.spec.seal.power.is_none())
+        .then(|| Precaution::new(PrecautionCode::FastSeal, text))
 }

@@ -68,6 +68,9 @@ impl Record {
             Some("cut") => return Err(ResumeFault::Cut),
             _ => return Err(ResumeFault::NotOurs("program: purpose=seal")),
         }
+        if header.find("laser").is_ok() {
+            return Err(ResumeFault::Laser);
+        }
         let motion = header.motion()?;
         let pace = header.pace(&motion)?;
         let process = header.process()?;
@@ -245,6 +248,8 @@ impl Header {
             heating,
             thumbnails: false,
             place: self.place()?,
+            // Programs of lasers are refused before.
+            laser: None,
         })
     }
 

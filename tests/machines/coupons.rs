@@ -23,6 +23,7 @@ fn every_coupon_is_sound_in_every_dialect() {
         let (spec, machine) = (spec(&star_text(name)), machine(profile(name)));
         let grid = StripGrid {
             temperatures: vec![Temperature(180.0), Temperature(210.0)],
+            powers: Vec::new(),
             speeds: vec![Speed(0.1), Speed(0.5)],
             heights: vec![Length(-0.3), Length(-0.1)],
             repeats: 3,
@@ -61,6 +62,7 @@ fn strips_that_the_controller_holds_go_steadily() {
     let (spec, machine) = (spec(&spec_text("[machine]\nfeed_floor = \"chop\"\n")), machine(profile("grbl")));
     let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
         speeds: vec![Speed(0.2), Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,
@@ -94,6 +96,7 @@ fn strips_that_the_controller_holds_go_steadily() {
 fn coupons_do_not_pass_for_stars() {
     let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
         speeds: vec![Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,
@@ -119,6 +122,7 @@ fn coupons_do_not_pass_for_stars() {
 fn pouches_have_a_mouth_for_the_hose_of_the_spec() {
     let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
         speeds: vec![Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,
@@ -144,6 +148,7 @@ fn pouches_have_a_mouth_for_the_hose_of_the_spec() {
 fn every_cut_lies_on_its_page_and_on_the_bed() {
     let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
         speeds: vec![Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,

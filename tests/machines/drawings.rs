@@ -185,6 +185,7 @@ fn grid(spec: &Spec) -> StripGrid {
     let heights = vec![machine(profile("generic")).process.heights.contact];
     StripGrid {
         temperatures: vec![spec.seal.temperature],
+        powers: Vec::new(),
         speeds: vec![spec.seal.speed],
         heights,
         repeats: 1,

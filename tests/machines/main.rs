@@ -10,6 +10,7 @@ mod dialects;
 mod drawings;
 mod faults;
 mod job_size;
+mod laser;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;
@@ -28,7 +29,7 @@ use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec::{
-    Dialect, DialectFamily, Machine, PRESS_PROFILE, Source, Spec, StepRate, builtin_machine,
+    Dialect, DialectFamily, LASER_PROFILE, Machine, PRESS_PROFILE, Source, Spec, StepRate, builtin_machine,
     builtin_machines, read, read_machine,
 };
 use stargrip_cam::verify::gcode::{Dialect as Reader, Program, read_program};
@@ -41,7 +42,7 @@ const PROFILES: [&str; 8] =
 /// The profiles of printers that home: their programs count in the machine's coordinates.
 const PRINTERS: [&str; 4] = ["bambu", "ender", "prusa", "klipper-printer"];
 
-/// The profiles of all machines that run programs.
+/// The profiles of all machines with an iron, which run programs.
 fn all_profiles() -> impl Iterator<Item = &'static str> {
     PROFILES.into_iter().chain(PRINTERS)
 }
@@ -85,8 +86,8 @@ fn with_floor() -> impl Iterator<Item = &'static str> {
 fn every_profile_is_tried() {
     let with_programs = builtin_machines().filter(|name| *name != PRESS_PROFILE);
     assert!(
-        with_programs.eq(all_profiles()),
-        "PROFILES and PRINTERS are not those that come with the program"
+        with_programs.eq(all_profiles().chain([LASER_PROFILE])),
+        "PROFILES, PRINTERS and the laser are not those that come with the program"
     );
     assert!(Dialect::WORDS.iter().all(|word| profiles_of_dialects().any(|name| name == *word)));
 }

@@ -92,6 +92,7 @@ impl Spec {
     pub fn cut_by(&self, process: &CutProcess) -> Self {
         let seal = Seal {
             temperature: process.tool.temperature().unwrap_or(Temperature(0.0)),
+            power: None,
             speed: process.speed,
             height: Some(process.height),
             passes: 1,

@@ -46,6 +46,20 @@ impl Dialect {
         }
     }
 
+    /// Whether its controllers drive a laser as programs need it: M4 with a power that follows the speed, and none in G0. GRBL 1.1
+    /// (doc/markdown/laser_mode.md) and grblHAL (settings.c, `Mode_Laser`) with $32=1, FluidNC with a `Laser` spindle (Spindles/Laser.h).
+    pub const fn drives_lasers(self) -> bool {
+        match self {
+            Self::Grbl | Self::GrblHal | Self::FluidNc => true,
+            Self::Generic
+            | Self::LinuxCnc
+            | Self::Marlin
+            | Self::Klipper
+            | Self::RepRapFirmware
+            | Self::Bambu => false,
+        }
+    }
+
     /// Whether the timer of its controller's long steps wraps around.
     pub const fn timer_wraps(self) -> bool {
         match self {

@@ -117,11 +117,11 @@ keys! {
     seal "seal" {
         TEMPERATURE "temperature", SPEED "speed", BAND "band", OVERLAP "overlap", ALLOWANCE "allowance",
         HOLE_ALLOWANCE "hole_allowance", HEIGHT "height", PASSES "passes", LINES "lines", TIP "tip", COOL "cool",
-        PAUSE "pause", STRENGTH "strength",
+        PAUSE "pause", STRENGTH "strength", POWER "power", FOCUS "focus",
     }
     process "process" {
         TEMPERATURE "temperature", SPEED "speed", HEIGHT "height", PASSES "passes", LINES "lines", OVERLAP "overlap",
-        COOL "cool", PAUSE "pause", STRENGTH "strength",
+        COOL "cool", PAUSE "pause", STRENGTH "strength", POWER "power", FOCUS "focus",
     }
     mask "mask" {
         KIND "kind", EXTENT "extent", CREEP "creep", BORDER "border", MIRROR "mirror", THICKNESS "thickness",

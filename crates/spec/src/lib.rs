@@ -24,6 +24,7 @@ mod fault;
 mod faults;
 mod foreign;
 pub mod key;
+mod laser;
 mod load;
 mod machine;
 mod material;
@@ -67,9 +68,10 @@ pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
 pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
+pub use laser::{FOCUSES, LASER_PROFILE, POWERS, seals_by_laser};
 pub use machine::{
-    Bench, CONTACT, Comments, Controller, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
-    Process, Script, SealingTool, SheetPlace,
+    Bench, CONTACT, Comments, Controller, DwellUnit, Dwells, Heating, Heights, KeepOut, LaserDrive, Limits,
+    Machine, Process, Script, SealingTool, SheetPlace,
 };
 pub use material::{builtin_material, builtin_materials, with_material};
 pub use message::comma;

@@ -31,6 +31,8 @@ pub struct Machine {
 impl Machine {
     /// A heat press, which has neither a controller nor an iron.
     pub(crate) fn press(name: String, description: String) -> Self {
+        // No program is written for a press. The controller's values are those of the plainest one, so that a room that asks for
+        // one finds nothing that a controller could do.
         let controller = Controller {
             dialect: Dialect::Generic,
             line_length: 72,
@@ -40,6 +42,7 @@ impl Machine {
             heating: Heating::Operator,
             thumbnails: false,
             place: SheetPlace::default(),
+            laser: None,
         };
         let heights = Heights { contact: Length(0.0), travel: Length(0.0), park: Length(0.0) };
         let process = Process {
@@ -67,8 +70,24 @@ impl Machine {
 pub enum SealingTool {
     /// A hot tip that programs lead along the seams.
     Iron,
+    /// A laser whose spot programs lead along the seams; the controller drives it.
+    Laser,
     /// Two plates, which press a whole sheet at once and run no program. The controller of such a machine means nothing.
     Press,
+}
+
+/// The laser of a machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaserDrive {
+    /// The S word of full power: `$30` of GRBL and grblHAL.
+    pub full_power: f64,
+}
+
+impl LaserDrive {
+    /// The S word of `percent` of full power, in whole thousandths.
+    pub fn word(self, percent: f64) -> f64 {
+        (self.full_power * percent * 10.0).round() / 1000.0
+    }
 }
 
 /// The language and abilities of the controller: enough to write a program for it, and to read one.
@@ -90,6 +109,15 @@ pub struct Controller {
     pub thumbnails: bool,
     /// The place of the sheet in the controller's coordinates.
     pub place: SheetPlace,
+    /// The laser that it drives; `None` of a machine with an iron.
+    pub laser: Option<LaserDrive>,
+}
+
+impl Controller {
+    /// The heat of the tool, as programs name it: "laser", or the name of the heating.
+    pub fn heating_name(&self) -> String {
+        if self.laser.is_some() { "laser".to_owned() } else { self.heating.name() }
+    }
 }
 
 /// The place of the sheet in the controller's coordinates: 0 where the operator sets them by hand.
@@ -283,10 +311,10 @@ impl Heating {
     }
 }
 
-/// Heights of the tip; Z 0 is the top of the release layer.
+/// Heights of the tip, or of a laser's focus; Z 0 is the top of the release layer, or of the sheet below a laser.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heights {
-    /// While sealing: 0 for a rigid iron, below 0 for a spring-loaded one.
+    /// While sealing: 0 for a rigid iron, below 0 for a spring-loaded one; of a laser the height of its focus, above 0.
     pub contact: Length,
     /// While travelling between seams.
     pub travel: Length,

@@ -19,7 +19,7 @@ use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
 use crate::units::{Angle, Length, LineForce, Percent, Pressure};
-use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, press, stars};
+use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, laser, load, press, stars};
 use std::ops::Range;
 
 /// A spec that was read, and the warnings about its text.
@@ -49,7 +49,7 @@ impl Reading {
 /// Ranges, ends included unless noted otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
 /// and fillet 0 to 100 m; `hole_diameter` 0 or from 0.2 mm; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
 /// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
-/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `passes` and `lines` 1 to 20; `cool` 0 to 1 h; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
+/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `power` above 0, to 100 %; `focus` above 0, to 500 mm; `passes` and `lines` 1 to 20; `cool` 0 to 1 h; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
 /// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
 /// 1e-9 to 1e9 N mm; `stretch_stiffness` 1e-6 to 1e9 N/mm; `pressure` 1 Pa to 1 GPa;
 /// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as in [`check_name`](crate::name::check_name);
@@ -140,6 +140,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     if press.is_some() {
         refuse_processes(reader);
     }
+    reader.faults.extend(laser::faults(reader.raw, &machine.profile));
     let spec = Spec {
         name,
         fabric,

@@ -28,6 +28,9 @@ const NAMED: &str = "process";
 const LIST: &str = "stack.star";
 /// The products: a spec has one of these sections.
 const EITHER: [&str; ProductKind::WORDS.len()] = ProductKind::WORDS;
+/// The section of a profile that only a laser has, and the key of [heights] that a laser has not.
+const OF_LASERS: &str = "laser";
+const OF_IRONS: &str = "contact";
 /// The profile's list, which is in no section.
 const CLAMPS: &str = "keep_out";
 
@@ -38,6 +41,11 @@ chambers = { "right-hose": "0 kPa" }  # pressures of chambers of a drawing that 
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
 [seal]
 strength = "3 N/mm"  # peel strength of the seams, in place of `seal_strength` in [fabric]; set one of the two
+power = "10 %"  # of a laser, as a part of its full power, in place of `temperature`; `tip` is then the width of its spot
+focus = "12 mm"  # height of a laser's focus above the sheet, in place of `height`; absent: that of the machine's profile
+[process.weak]
+power = "8 %"  # of a laser, in place of `temperature`
+focus = "12 mm"  # height of a laser's focus above the sheet, in place of `height`
 # A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]
 file = "outline.svg"  # SVG or ASCII DXF, beside this file
@@ -55,7 +63,7 @@ const MORE: &str = r#"
 schema = 1  # the version of this format
 name = "my-machine"  # what programs and messages call it
 description = "GRBL on a router"  # one line for `stargrip-cam machines`
-# tool = "iron"  # "iron", which programs lead along the seams, or "press", which takes no other key of these
+# tool = "iron"  # "iron" or "laser", which programs lead along the seams, or "press", which takes no other key of these
 # heating = "operator"
 # line_length = 72
 # comments = "semicolon"
@@ -69,6 +77,8 @@ description = "GRBL on a router"  # one line for `stargrip-cam machines`
 [work_area]
 x = "unknown"  # along X, from the machine's zero; set both, or none
 y = "unknown"  # along Y, from the machine's zero; set both, or none
+[heights]
+contact = "-0.3 mm"  # while sealing: below 0 for a spring-loaded tip, 0 for a rigid one; required of an iron, and none of a laser, which has `focus`
 [speeds]
 # travel = "20 mm/s"
 # trace = "20 mm/s"
@@ -84,6 +94,10 @@ acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 [dwell]
 # unit = "s"  # of G4's P; of the dialects marlin, klipper, reprapfirmware and bambu it is "ms", and no other is taken
 # step = "1 ms"
+[laser]  # A laser, with `tool = "laser"`. Such a profile has no `contact` in [heights], no `heating` and no `spring_loaded`.
+full_power = 1000  # the S word of full power: $30 of GRBL and grblHAL, the end of `speed_map` of FluidNC
+focus = "12 mm"  # height of its focus above the sheet, for a spot as wide as `tip` in [seal]; below `travel`
+laser_mode = true  # that $32=1 is set (FluidNC: a Laser spindle in its configuration); false is refused
 [keep_out]
 # name = "clamp"  # what messages and the preview call it
 x = "0 mm"  # its lower left corner, from the sheet's
@@ -148,7 +162,7 @@ fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Sec
     for (section, key, shape) in reader.shapes() {
         let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, notes));
     }
-    for (section, key) in reader.required() {
+    for (section, key) in reader.required().filter(|(_, key)| *key != OF_IRONS) {
         sections.entry(section).or_default().required.push(key);
     }
     sections
@@ -168,7 +182,7 @@ fn text_of(
             let _ = root.keys.insert(name, processes);
             continue;
         }
-        if !section.required.is_empty() && !EITHER.contains(&name) {
+        if !section.required.is_empty() && !EITHER.contains(&name) && name != OF_LASERS {
             root.required.push(name);
         }
         let _ = root.keys.insert(name, section.object(notes.of_section(name)));
@@ -324,7 +338,7 @@ mod tests {
             }
         };
         looked_at(&schema);
-        for section in ["origin", "work_area", "heights", "speeds", "motion", "dwell", "program"] {
+        for section in ["origin", "work_area", "heights", "laser", "speeds", "motion", "dwell", "program"] {
             looked_at(&schema["properties"][section]);
         }
         looked_at(&schema["properties"][CLAMPS]["items"]);
@@ -347,7 +361,7 @@ mod tests {
         let defaults: Vec<&str> = MORE
             .lines()
             .filter_map(|line| line.strip_prefix("# ").or_else(|| line.starts_with('[').then_some(line)))
-            .filter(|line| *line != "[work_area]")
+            .filter(|line| !["[work_area]", "[heights]"].contains(line) && !line.starts_with("[laser]"))
             .collect();
         assert!(defaults.len() > 14, "{defaults:?}");
         let (root, sections): (Vec<&str>, Vec<&str>) = {

@@ -6,12 +6,13 @@
 use crate::FaultCode;
 use crate::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
 use crate::fault::{Fault, quoted};
+use crate::laser::{POWERS, read_focus};
 use crate::machine::{CONTACT, Process, to_micrometres};
 use crate::name::is_plain_word;
 use crate::raw::RawSpec;
 use crate::release_layer::check_ptfe;
 use crate::section::{Reader, Section};
-use crate::units::{Duration, Length, LineForce, Speed, Temperature};
+use crate::units::{Duration, Length, LineForce, Percent, Speed, Temperature};
 use crate::unknown::nearest;
 use crate::value::RawValue;
 use std::ops::Range;
@@ -33,8 +34,10 @@ pub(super) const STRENGTHS: Allowed = Allowed::closed(1e-6, 1e4);
 /// Path, temperature and speed of a seal: `[seal]`, or a process with what it takes from `[seal]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seal {
-    /// Temperature of the iron.
+    /// Temperature of the iron; 0 C of a laser, which is cold.
     pub temperature: Temperature,
+    /// Power of a laser, as a part of its full power; `None` of an iron.
+    pub power: Option<Percent>,
     /// Speed of the iron in contact.
     pub speed: Speed,
     /// Width w of the band.
@@ -45,13 +48,13 @@ pub struct Seal {
     pub allowance: Length,
     /// Flap on the hole side.
     pub hole_allowance: Length,
-    /// Height in contact; `None`: that of the machine's profile.
+    /// Height in contact, of a laser that of its focus above the sheet; `None`: that of the machine's profile.
     pub height: Option<Length>,
     /// Number of times that every line is sealed before the next seam.
     pub passes: u32,
     /// Number of parallel lines of a band; `None`: as many as it takes.
     pub lines: Option<u32>,
-    /// Width of the tool's contact; `None`: that of the band.
+    /// Width of the tool's contact, or of a laser's spot; `None`: that of the band.
     pub tip: Option<Length>,
     /// Wait at travel height after every seam.
     pub cool: Duration,
@@ -83,7 +86,12 @@ impl Seal {
         self.height.unwrap_or(process.heights.contact)
     }
 
-    /// Width of the tool's contact.
+    /// What heats, in words: the temperature of an iron, "200 C", or the power of a laser, "8 %".
+    pub fn heat_in_words(&self) -> String {
+        self.power.map_or_else(|| self.temperature.to_string(), |power| power.to_string())
+    }
+
+    /// Width of the tool's contact, or of a laser's spot.
     pub fn tip_width(&self) -> Length {
         self.tip.unwrap_or(self.band)
     }
@@ -93,10 +101,16 @@ impl Seal {
         self.lines.unwrap_or_else(|| self.fewest_lines())
     }
 
-    /// The fewest lines that seal the whole band.
+    /// The fewest lines that seal the whole band: a tip's meet, and a laser's are half a spot apart at most. Round a corner the
+    /// lines on the inner side turn farther apart than they lie; half a spot covers every angle.
     fn fewest_lines(&self) -> u32 {
+        let (band, tip) = (self.band.0, self.tip_width().0);
+        let count = match self.power {
+            Some(_) => 1.0 + ((band - tip) / (0.5 * tip) - 1e-9).ceil(),
+            None => (band / tip - 1e-9).ceil(),
+        };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked with the tip")]
-        let count = (self.band.0 / self.tip_width().0 - 1e-9).ceil().clamp(1.0, 1e6) as u32;
+        let count = count.clamp(1.0, 1e6) as u32;
         count
     }
 
@@ -119,9 +133,11 @@ pub struct ProcessSpec {
     pub name: String,
     /// Temperature of the iron.
     pub temperature: Option<Temperature>,
+    /// Power of a laser.
+    pub power: Option<Percent>,
     /// Speed of the iron in contact.
     pub speed: Option<Speed>,
-    /// Height in contact.
+    /// Height in contact, or of a laser's focus.
     pub height: Option<Length>,
     /// Passes of every line.
     pub passes: Option<u32>,
@@ -139,14 +155,18 @@ pub struct ProcessSpec {
 
 /// `[seal]`, and the peel strength that it states.
 pub(super) fn read_seal(s: &mut Section<'_, '_>) -> (Seal, Option<LineForce>) {
+    let power = s.quantity("power", POWERS);
+    let usual = Temperature(if power.is_some() { 0.0 } else { 200.0 });
+    let (temperature, focus) = (read_temperature(s).unwrap_or(usual), read_focus(s));
     let seal = Seal {
-        temperature: read_temperature(s).unwrap_or(Temperature(200.0)),
+        temperature,
+        power,
         speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
         band: s.length("band", SIZE, 2.0),
         overlap: s.length("overlap", EXTRA, 5.0),
         allowance: s.length("allowance", EXTRA, 8.0),
         hole_allowance: s.length("hole_allowance", EXTRA, 1.0),
-        height: read_height(s),
+        height: read_height(s).or(focus),
         passes: s.count("passes", 1, MOST).unwrap_or(1),
         lines: s.count("lines", 1, MOST),
         tip: s.quantity("tip", SIZE),
@@ -230,11 +250,13 @@ fn wrong_name(name: &str) -> Option<String> {
 
 /// A `[process.NAME]` beside `seal`.
 fn read_process(s: &mut Section<'_, '_>, name: &str, seal: &Seal) -> ProcessSpec {
+    let focus = read_focus(s);
     let process = ProcessSpec {
         name: name.to_owned(),
         temperature: read_temperature(s),
+        power: s.quantity("power", POWERS),
         speed: s.quantity("speed", SEAL_SPEEDS),
-        height: read_height(s),
+        height: read_height(s).or(focus),
         passes: s.count("passes", 1, MOST),
         lines: s.count("lines", 1, MOST),
         overlap: s.quantity("overlap", EXTRA),

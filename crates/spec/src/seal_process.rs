@@ -48,6 +48,7 @@ impl Spec {
             strength: process.strength.or(default.strength),
             seal: Seal {
                 temperature: process.temperature.unwrap_or(base.temperature),
+                power: process.power.or(base.power),
                 speed: process.speed.unwrap_or(base.speed),
                 overlap: process.overlap.unwrap_or(base.overlap),
                 height: process.height.or(base.height),

@@ -40,6 +40,10 @@ const RS274: [CodeRow; 6] = [
     (b'M', 300, C::End),
 ];
 
+/// A laser as a spindle: GRBL's laser mode (doc/markdown/laser_mode.md).
+const LASER: [CodeRow; 3] =
+    [(b'M', 30, C::BeamConstant), (b'M', 40, C::BeamByMotion), (b'M', 50, C::BeamOff)];
+
 /// Codes that printers share.
 const PRINTER: [CodeRow; 3] =
     [(b'M', 730, C::Progress), (b'M', 1040, C::HeatOnly), (b'M', 1090, C::HeatAndWait)];
@@ -115,6 +119,10 @@ impl Vocabulary {
         fixed: &[],
         parameters: "XYZIJFP",
     };
+
+    /// GRBL's family with a laser: M3, M4 and M5, and S for the power.
+    const GRBL_LASER: Self =
+        Self { codes: &[&COMMON, &GEOMETRY, &RS274, &LASER], parameters: "XYZIJFPS", ..Self::GRBL };
 
     /// Marlin without its options: no arcs, planes or inches.
     const MARLIN: Self = Self {
@@ -200,8 +208,16 @@ impl Vocabulary {
 
     /// The words of `controller`.
     pub const fn for_controller(controller: &Controller) -> Self {
-        let family = Self::for_dialect(controller.dialect);
+        let family = match controller.laser {
+            Some(_) => Self::GRBL_LASER,
+            None => Self::for_dialect(controller.dialect),
+        };
         if controller.arcs { family } else { family.without_arcs() }
+    }
+
+    /// Whether the controller drives a laser, and S sets its power.
+    pub fn drives_laser(self) -> bool {
+        self.command(b'M', 5.0) == Some(Command::BeamOff)
     }
 
     /// This vocabulary without the words for arcs.
@@ -284,10 +300,18 @@ pub enum Command {
     Progress,
     /// A setting of the controller that moves nothing.
     Setting,
+    /// The laser is on with the power S, whether the tool moves or rests.
+    BeamConstant,
+    /// The laser is on with the power S at the feed, with less where the tool is slower, and off at rest.
+    BeamByMotion,
+    /// The laser is off.
+    BeamOff,
 }
 
 /// The group of commands that are alone on their line.
 const ALONE: u8 = 9;
+/// The group of commands to a laser.
+const BEAM: u8 = 10;
 
 impl Command {
     /// Commands of the same group exclude each other on one line (the modal groups of RS274/NGC).
@@ -303,6 +327,7 @@ impl Command {
             Self::Pause | Self::End => 7,
             Self::ExactPath => 8,
             Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting => ALONE,
+            Self::BeamConstant | Self::BeamByMotion | Self::BeamOff => BEAM,
         }
     }
 
@@ -324,6 +349,7 @@ impl Command {
             Self::HeatOnly => b"ST",
             Self::Progress => b"PR",
             Self::Setting => b"IST",
+            Self::BeamConstant | Self::BeamByMotion => b"S",
             _ => b"",
         }
     }

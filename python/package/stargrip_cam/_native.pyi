@@ -862,6 +862,7 @@ def coupon(
     spec: Spec,
     *,
     temperatures: Sequence[str] | None = None,
+    powers: Sequence[str] | None = None,
     speeds: Sequence[str] | None = None,
     heights: Sequence[str] | None = None,
     times: Sequence[str] | None = None,
@@ -872,7 +873,8 @@ def coupon(
     They have been read back.
 
     temperatures: of the grid of strips, `["180 C", "200 C"]`; default: the spec's.
-    speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's.
+    powers: of a laser, in place of temperatures and heights, `["8 %", "10 %"]`; default: three quarters, once and five quarters of the spec's.
+    speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's; of a laser half, once and twice.
     heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
     times: of a heat press, in place of speeds and heights, `["10 s", "20 s"]`; default: half, once and twice the spec's.
     only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.

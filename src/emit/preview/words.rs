@@ -34,12 +34,18 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let Preview { spec, machine, design, .. } = preview;
     let mut block = Block::new(inert(&spec.name, NAME_LENGTH));
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
-    block
-        .say(format!("sealed at {} and {}, band {}", spec.seal.temperature, spec.seal.speed, spec.seal.band));
+    block.say(format!(
+        "sealed at {} and {}, band {}",
+        spec.seal.heat_in_words(),
+        spec.seal.speed,
+        spec.seal.band
+    ));
     for process in processes(preview, sheet) {
         block.say(format!(
             "process {}: {} and {}",
-            process.name, process.seal.temperature, process.seal.speed
+            process.name,
+            process.seal.heat_in_words(),
+            process.seal.speed
         ));
         block.say(format!("    {}", repeats(process)));
     }
@@ -162,6 +168,9 @@ fn hours(seconds: f64) -> String {
 }
 
 fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
+    // First the bands, each process in its own ink, then what the tool does along them. Cuts, hinges and labels follow, and last the
+    // limits of the machine. Only what is on the sheet has a row, so that nobody looks for a line that is not there; a laser's ramps
+    // are called by what they do to its beam.
     let mut block = Block::new("On the sheet");
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
@@ -176,7 +185,8 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     if seams.any(|seam| seam.overlap > 0.0) {
         block.explain(line(TWICE, 2.5), "sealed twice");
     }
-    block.explain(line(RAMP, 2.0), "iron goes down or up");
+    let is_laser = preview.machine.controller.laser.is_some();
+    block.explain(line(RAMP, 2.0), if is_laser { "laser off" } else { "iron goes down or up" });
     block.explain(Swatch::Dot(START), "start, with its order");
     block.explain(Swatch::Area(FABRIC), "flap");
     block.explain(line(CUT, 1.0), "cut, registration holes");

@@ -50,7 +50,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "settings": own_settings(report),
         "machine": machine(report.machine),
         "seal": {
-            "temperature": spec.seal.temperature.to_string(), "speed": spec.seal.speed.to_string(),
+            "temperature": spec.seal.heat_in_words(), "speed": spec.seal.speed.to_string(),
             "band_mm": spec.seal.band.0, "overlap_mm": spec.seal.overlap.0,
         },
         "stack": assembly.map(|assembly| json!({
@@ -91,7 +91,7 @@ fn processes(report: &Report<'_>) -> Option<(String, Value)> {
         .into_iter()
         .map(|time| {
             json!({
-                "name": time.process.name, "temperature": time.process.seal.temperature.to_string(),
+                "name": time.process.name, "temperature": time.process.seal.heat_in_words(),
                 "speed": time.process.seal.speed.to_string(), "time_s": thousandths(time.seconds),
             })
         })

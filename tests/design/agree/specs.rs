@@ -22,7 +22,10 @@ pub(crate) fn case(number: u64) -> Case {
     let _ = (0..4).map(|_| dice.below(2)).sum::<usize>();
     let is_changed = dice.chance(0.4);
     let (profile, chops) = machine(&mut dice, is_changed);
-    let text = spec(&mut dice, if is_changed { "own.toml" } else { profile.0 }, chops);
+    let mut text = spec(&mut dice, if is_changed { "own.toml" } else { profile.0 }, chops);
+    if profile.1.contains("tool = \"laser\"") {
+        text = for_laser(&mut dice, &text);
+    }
     Case { spec: text, machine: profile.1, asked: request_of(&mut dice) }
 }
 
@@ -131,6 +134,48 @@ fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     let chop = chops && w * rho < 2000.0;
     machine.maybe(dice, if chop { 0.7 } else { 0.02 }, "feed_floor", |_| "\"chop\"".to_owned());
     text + &machine.text
+}
+
+/// The spec `text` of an iron for a laser: powers take the place of temperatures and heights, and no tool cuts.
+fn for_laser(dice: &mut Dice, text: &str) -> String {
+    let (mut lasered, mut section) = (String::new(), String::new());
+    let band = text.split_once("\nband = \"").and_then(|(_, rest)| rest.split_once(" mm")?.0.parse().ok());
+    let seal = text.split_once("[seal]\n").and_then(|(_, rest)| rest.split("\n[").next()).unwrap_or_default();
+    // Line by line: those of irons are left out of their sections, and the keys of a laser follow the heads of theirs. A spot is no wider
+    // than the band, and the usual speed of an iron is below what a laser's controller holds.
+    // Everything else stays, so that a laser meets the same stars, sheets and masks.
+    for line in text.lines() {
+        if line.starts_with('[') {
+            line.clone_into(&mut section);
+        }
+        let key = line.split(" = ").next().unwrap_or_default();
+        let is_of_iron = match section.as_str() {
+            "[cut]" => ["tool", "temperature", "speed", "height", "blade_offset"].contains(&key),
+            "[machine]" => key == "feed_floor",
+            "[seal]" => ["temperature", "height"].contains(&key),
+            process => process.starts_with("[process.") && ["temperature", "height"].contains(&key),
+        };
+        if !is_of_iron {
+            let _ = writeln!(lasered, "{line}");
+        }
+        if line == "[seal]" {
+            let mut keys = Section { text: String::new() };
+            keys.maybe(dice, 1.0, "power", |dice| format!("\"{} %\"", dice.uniform(1.0, 100.0)));
+            keys.maybe(dice, 0.3, "focus", |dice| mm(dice.uniform(3.0, 12.9)));
+            if !seal.contains("tip = ") {
+                keys.maybe(dice, 1.0, "tip", |dice| mm(band.unwrap_or(2.0) * dice.uniform(0.15, 1.0)));
+            }
+            if !seal.contains("speed = ") {
+                keys.maybe(dice, 1.0, "speed", |dice| format!("\"{} mm/s\"", dice.decades(1.0, 100.0)));
+            }
+            lasered += &keys.text;
+        } else if line.starts_with("[process.") {
+            let mut keys = Section { text: String::new() };
+            keys.maybe(dice, 0.5, "power", |dice| format!("\"{} %\"", dice.uniform(1.0, 100.0)));
+            lasered += &keys.text;
+        }
+    }
+    lasered
 }
 
 fn fabric(dice: &mut Dice) -> String {

@@ -122,7 +122,7 @@ const REQUIRED: &[Key] = &[
 /// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no
 /// wider than the band, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused
 /// beside an iron: tests/design/pressed.rs sets them.
-const ELSEWHERE: [KeyPath; 9] = [
+const ELSEWHERE: [KeyPath; 11] = [
     key_path::cut::TEMPERATURE,
     key_path::cut::SPEED,
     key_path::cut::HEIGHT,
@@ -132,6 +132,8 @@ const ELSEWHERE: [KeyPath; 9] = [
     key_path::load::OBJECT_RADIUS,
     key_path::seal::TIP,
     key_path::seal::STRENGTH,
+    key_path::seal::POWER,
+    key_path::seal::FOCUS,
 ];
 
 /// Quantities have patterns in the schema, plain numbers are of the type `number`.

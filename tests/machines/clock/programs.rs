@@ -81,6 +81,7 @@ pub(crate) fn feed_check(spec: &Spec, machine: &Machine) -> Named {
 pub(crate) fn coupon_programs(spec: &Spec, machine: &Machine) -> Vec<Named> {
     let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
         speeds: vec![Speed(0.1), Speed(0.2), Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,

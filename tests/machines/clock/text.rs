@@ -97,7 +97,8 @@ fn command(line: &str) -> Option<Command> {
         })),
         "G4" => Some(Command::Dwell(word('P').unwrap_or(0.0))),
         "M203" => word('I').map(Command::LowestFeed),
-        "M0" | "M2" | "M109" | "M226" | "M400" => Some(Command::Halt),
+        // A laser is armed and switched off at rest: GRBL, gcode.c, spindle_sync.
+        "M0" | "M2" | "M4" | "M5" | "M109" | "M226" | "M400" => Some(Command::Halt),
         _ => None,
     }
 }

@@ -43,6 +43,8 @@ enum Base {
     Marked,
     /// A package for a printer.
     Packed,
+    /// Sealed by a laser.
+    Laser,
 }
 
 const SEAL: &str = "star-1-seal.gcode";
@@ -74,6 +76,12 @@ const EDITS: &[Edit] = &[
     edit_of(Base::Packed, edit("bad-zip", PACKAGE, "G28", "G27")),
     edit_of(Base::Clamped, edit("clamp-in-the-way", SEAL, "M2\n", "G0 X4 Y330 F1200\nM2\n")),
     edit("bad-xml", SVG, "</title>", "</titel>"),
+    edit_of(Base::Laser, edit("beam-at-end", SEAL, "M5\nM2\n", "M4 S0\nM2\n")),
+    edit_of(Base::Laser, edit("beam-at-rest", SEAL, "M4 S0\n", "M4 S80\n")),
+    edit_of(Base::Laser, edit("beam-constant", SEAL, "M4 S0\n", "M3 S0\n")),
+    edit_of(Base::Laser, edit("beam-in-travel", SEAL, "M5\nG0 X", "G0 X1 Y1 S80\nM5\nG0 X")),
+    edit_of(Base::Laser, edit("beam-off-focus", SEAL, " S0\nM5\n", "\nM5\n")),
+    edit_of(Base::Laser, edit("wrong-power", SEAL, " S80\n", " S88\n")),
     edit_of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
     edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
     edit("cold-seal", SEAL, "M0\n", "\n"),
@@ -162,6 +170,8 @@ const EDITS: &[Edit] = &[
     edit("bad-stl", "star-1-mask.stl", "of star", "star"),
 ];
 
+const LASER: &str =
+    "[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\n[machine]\nprofile = \"grbl-laser\"\n";
 const PAPER: &str = include_str!("../../../designs/paper-five-points.toml");
 
 /// A profile with a clamp that no way of the program comes near to.
@@ -185,6 +195,7 @@ fn built(base: Base) -> Built {
         Base::Cooled => "[seal]\ncool = \"3 s\"\n",
         Base::Marked => "[machine]\nmarks = \"pause\"\n",
         Base::Packed => "[machine]\nprofile = \"bambu\"\n",
+        Base::Laser => LASER,
     };
     // A printer's bed is smaller than the paper's star.
     let star = if base == Base::Packed {
@@ -214,6 +225,7 @@ fn all_builds() -> Vec<(Base, Built)> {
         Base::Homed,
         Base::Marked,
         Base::Packed,
+        Base::Laser,
     ];
     bases.into_iter().map(|base| (base, built(base))).collect()
 }

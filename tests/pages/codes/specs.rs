@@ -54,6 +54,14 @@ const DESIGNS: &[(&str, &str)] = &[
     ("fast-seal", "[seal]\nspeed = \"5 mm/s\"\n"),
     ("feed-floor", "[machine]\nprofile = \"grbl\"\n"),
     ("job-too-large", "[seal]\nspeed = \"0.001 mm/s\"\n"),
+    (
+        "high-focus",
+        "[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\nfocus = \"13 mm\"\n[machine]\nprofile = \"grbl-laser\"\n",
+    ),
+    (
+        "laser-safety",
+        "[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\n[machine]\nprofile = \"grbl-laser\"\n",
+    ),
     ("long-extent", "[mask]\nextent = \"150 mm\"\n"),
     ("long-overlap", "[seal]\noverlap = \"900 mm\"\n"),
     ("machine-requires", "[machine]\nprofile = \"klipper\"\n"),
@@ -144,6 +152,7 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
         "",
     ),
     ("clamped-contact", "ender", "surface = \"1 mm\"", "surface = \"0 mm\"", ""),
+    ("no-laser", "grbl-laser", "ramp = \"3 mm\"", "ramp = \"3 mm\"", ""),
     ("profile-limit", "klipper", "TIMEOUT=86400", "TIMEOUT=600", ""),
     ("steep-ramp", "grbl", "ramp = \"3 mm\"", "ramp = \"0.005 mm\"", "feed_floor = \"chop\"\n"),
     ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),

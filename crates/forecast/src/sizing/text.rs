@@ -52,13 +52,14 @@ pub fn is_result(comment: &str) -> bool {
 }
 
 /// Every key of `[seal]` with its value as TOML; `None` where it is absent.
-fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 12] {
+fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 14] {
     fn text(value: impl Display) -> String {
         format!("\"{value}\"")
     }
     // A new setting does not compile without its line.
     let Seal {
         temperature,
+        power,
         speed,
         band,
         overlap,
@@ -72,13 +73,15 @@ fn seal_values(seal: &Seal) -> [(&'static str, Option<String>); 12] {
         pause,
     } = *seal;
     [
-        ("temperature", Some(text(temperature))),
+        ("temperature", power.is_none().then(|| text(temperature))),
+        ("power", power.map(text)),
         ("speed", Some(text(speed))),
         ("band", Some(text(band))),
         ("overlap", Some(text(overlap))),
         ("allowance", Some(text(allowance))),
         ("hole_allowance", Some(text(hole_allowance))),
-        ("height", height.map(text)),
+        ("height", height.filter(|_| power.is_none()).map(text)),
+        ("focus", height.filter(|_| power.is_some()).map(text)),
         ("passes", Some(passes.to_string())),
         ("lines", lines.map(|lines| lines.to_string())),
         ("tip", tip.map(text)),

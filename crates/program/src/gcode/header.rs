@@ -2,9 +2,12 @@
 
 use crate::gcode::writer::{Facts, Writer};
 use crate::number::number;
-use crate::plan::{Pace, PacedProcess, PauseReason, Program, Purpose, SeamReport, Step, Stepper};
+use crate::plan::{
+    LASER_SAFETY, Pace, PacedProcess, PauseReason, Program, Purpose, SeamReport, Step, Stepper,
+    laser_settings,
+};
 use sealed::scope;
-use spec::{CutTool, DwellUnit, Machine};
+use spec::{CutTool, DwellUnit, Machine, Seal};
 
 /// Writes the header of `program`.
 pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
@@ -19,10 +22,14 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
         writer.comment(maker);
     }
     writer.comment(&format!("program: purpose={purpose} {}", sheet_and_pieces(program)));
-    writer.comment(if writer.facts.controller.place.is_origin() {
-        "frame: origin at lower left of the sheet, Z0 on the release layer"
-    } else {
-        "frame: coordinates of the machine after homing, the sheet lies at place"
+    writer.comment(match writer.facts.controller {
+        controller if !controller.place.is_origin() => {
+            "frame: coordinates of the machine after homing, the sheet lies at place"
+        }
+        controller if controller.laser.is_some() => {
+            "frame: origin at lower left of the sheet, Z0 on the upper sheet"
+        }
+        _ => "frame: origin at lower left of the sheet, Z0 on the release layer",
     });
     if let Some(motion) = program.motion {
         let (turn, x, y) =
@@ -65,9 +72,17 @@ pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Progr
 /// The seal, which a new program for the rest of the job needs.
 fn seal_facts(writer: &mut Writer<'_>) {
     let seal = writer.facts.seal;
-    let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
+    let (heat, v) = (heat_fact(seal), number(seal.speed.0));
     let (w, o) = (number(seal.band.0), number(seal.overlap.0));
-    writer.facts(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+    writer.facts(&format!("seal: {heat} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+}
+
+/// The temperature or the power of a seal as a word of a structured comment.
+fn heat_fact(seal: &Seal) -> String {
+    match seal.power {
+        Some(power) => format!("power_percent={}", number(power.0)),
+        None => format!("temperature_C={}", number(seal.temperature.0)),
+    }
 }
 
 /// The tool of a program that cuts, and its settings.
@@ -98,7 +113,7 @@ pub(super) fn tool_facts(tool: CutTool) -> String {
 /// The machine, which a new program for the rest of the job needs.
 fn machine_facts(writer: &mut Writer<'_>) {
     let Facts { controller, process, path, .. } = writer.facts;
-    let heating = controller.heating.name().replace(' ', "-");
+    let heating = controller.heating_name().replace(' ', "-");
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     let arcs = if controller.arcs { "yes" } else { "no" };
     writer.facts(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"));
@@ -112,6 +127,10 @@ fn machine_facts(writer: &mut Writer<'_>) {
         DwellUnit::Milliseconds => "ms",
     };
     writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
+    if let Some(laser) = controller.laser {
+        let (full, focus) = (number(laser.full_power), number(writer.facts.seal.contact(process).0));
+        writer.facts(&format!("laser: full_power_S={full} focus_mm={focus}"));
+    }
     if !controller.place.is_origin() {
         let [x, y, z] = controller.place.shift().map(number);
         writer.facts(&format!("place: x_mm={x} y_mm={y} surface_mm={z}"));
@@ -122,8 +141,8 @@ fn machine_facts(writer: &mut Writer<'_>) {
 fn processes(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
     for PacedProcess { process, pace, .. } in &program.processes {
         let seal = &process.seal;
+        writer.comment(&format!("process: process={} {}", process.name, heat_fact(seal)));
         let mut facts = vec![
-            ("temperature_C", seal.temperature.0),
             ("speed_mm_s", seal.speed.0),
             ("contact_mm", seal.contact(&machine.process).0),
             ("cool_s", seal.cool.0),
@@ -166,8 +185,20 @@ fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"));
         }
     }
+    laser_conditions(writer, machine);
     for line in &machine.script.requires {
         writer.requirement(&format!("requires: {line}"));
+    }
+}
+
+/// The settings on which a program for a laser relies, and what protects the people around it.
+fn laser_conditions(writer: &mut Writer<'_>, machine: &Machine) {
+    let Some(laser) = machine.controller.laser else { return };
+    for line in laser_settings(&machine.controller, laser) {
+        writer.requirement(&format!("requires: {line}"));
+    }
+    for line in LASER_SAFETY {
+        writer.comment(&format!("safety: {line}"));
     }
 }
 

@@ -77,6 +77,8 @@ struct Job<'a> {
     /// The pacer at the start of every contact of the process.
     first: Pacer,
     pacer: Pacer,
+    /// The S word of a laser along the contact; `None` of an iron, and of steps without power.
+    beam: Option<f64>,
     /// The program that the steps are all of; `None` for a few steps alone.
     whole: Option<Whole<'a>>,
 }
@@ -94,7 +96,7 @@ impl<'a> Job<'a> {
     /// The beginning of a way through a few steps.
     fn new(pace: Pace, writer: Writer<'a>) -> Self {
         let pacer = Pacer::new(pace, writer.facts.seal.speed.0);
-        Self { first: pacer, pacer, writer, whole: None }
+        Self { first: pacer, pacer, beam: None, writer, whole: None }
     }
 
     fn step(&mut self, step: &Step) {
@@ -123,9 +125,16 @@ impl<'a> Job<'a> {
                 if let Some(program) = self.whole.as_ref().map(|whole| whole.program) {
                     let contact = program.seams.get(*i);
                     self.first = program.pacer(contact.map_or(0, |contact| contact.process));
+                    let beam = contact.and_then(|contact| {
+                        self.writer.full_beam(&program.processes[contact.process].process)
+                    });
                     if let Some(contact) = contact {
                         let key = if program.purpose == Purpose::Cut { "cut" } else { "seam" };
                         self.writer.comment(&contact_facts(program.purpose, key, i + 1, contact));
+                    }
+                    self.beam = beam;
+                    if beam.is_some() {
+                        self.writer.beam_ready();
                     }
                 }
             }
@@ -133,11 +142,18 @@ impl<'a> Job<'a> {
                 if matches!(step, Step::TouchDown(_)) {
                     self.pacer = self.first;
                 }
+                self.writer.set_beam(self.beam.map(|_| 0.0));
                 for (piece, from, to) in ramp.with_heights() {
                     self.seal(piece, Some((from, to)));
                 }
+                if matches!(step, Step::Lift(_)) && self.beam.take().is_some() {
+                    self.writer.beam_off();
+                }
             }
-            Step::Seal(pieces) => pieces.iter().for_each(|piece| self.seal(piece, None)),
+            Step::Seal(pieces) => {
+                self.writer.set_beam(self.beam);
+                pieces.iter().for_each(|piece| self.seal(piece, None));
+            }
             Step::Trace(pieces) => {
                 for piece in pieces {
                     self.writer.cut(piece, None, process.trace_speed.0);
@@ -190,6 +206,10 @@ impl<'a> Job<'a> {
                 self.writer.comment(&format!("pause: before={}", next + 1));
                 self.writer.comment("look at the last seam, press start");
             }
+            PauseReason::Beam => {
+                self.writer.comment("beam: armed_by=operator");
+                self.writer.comment("goggles on, enclosure closed, fumes drawn off, press start");
+            }
             PauseReason::Mark { number: index, place } => {
                 let [x, y] = [place.x, place.y].map(number);
                 self.writer.comment(&format!("mark: number={index} x_mm={x} y_mm={y}"));
@@ -223,6 +243,9 @@ impl<'a> Job<'a> {
         self.progress();
         let Self { writer, whole: run, pacer, .. } = self;
         let unit = writer.facts.controller.dwell.unit;
+        if let Some(run) = run {
+            run.clock.bend(piece, heights, pacer.speed());
+        }
         pacer.strokes(piece, heights, |stroke| {
             if let Some(run) = run {
                 run.clock.add(stroke.piece.end(), stroke.height, stroke.seconds);

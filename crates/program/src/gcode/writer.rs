@@ -6,7 +6,7 @@ use crate::plan::is_straight;
 use crate::text::inert;
 use geom::{Point, Segment};
 use spec::units::Length;
-use spec::{Comments, Controller, Machine, Process, Seal, Spec};
+use spec::{Comments, Controller, Machine, Process, Seal, SealProcess, Spec};
 
 /// The data besides the steps from which a program is written.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,8 @@ pub(super) struct Writer<'a> {
     pub(super) at: Point,
     /// The feed in force, mm/min.
     pub(super) feed: Option<f64>,
+    /// The S word in force, of a laser that is on, and the one that the next move along a path needs.
+    beam: Option<[f64; 2]>,
 }
 
 impl<'a> Writer<'a> {
@@ -55,6 +57,7 @@ impl<'a> Writer<'a> {
             spelling: Spelling::new(facts.controller.dialect),
             at: Point::ORIGIN,
             feed: None,
+            beam: None,
         }
         .at_corner()
     }
@@ -152,6 +155,28 @@ impl<'a> Writer<'a> {
         self.out.push('\n');
     }
 
+    /// The S word with which `process` seals; `None` of an iron.
+    pub(super) fn full_beam(&self, process: &SealProcess) -> Option<f64> {
+        Some(self.facts.controller.laser?.word(process.seal.power?.0))
+    }
+
+    /// Arms a laser without power: M4 keeps it off where nothing moves.
+    pub(super) fn beam_ready(&mut self) {
+        self.line("M4 S0");
+        self.beam = Some([0.0; 2]);
+    }
+
+    /// The S word of the moves that follow; `None` without a laser.
+    pub(super) fn set_beam(&mut self, word: Option<f64>) {
+        self.beam = self.beam.zip(word).map(|([in_force, _], word)| [in_force, word]);
+    }
+
+    /// Switches a laser off.
+    pub(super) fn beam_off(&mut self) {
+        self.line("M5");
+        self.beam = None;
+    }
+
     /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.
     pub(super) fn cut(&mut self, piece: &Segment, z: Option<f64>, speed: f64) {
         let (from, to) = (self.at, self.round(piece.end()));
@@ -179,8 +204,20 @@ impl<'a> Writer<'a> {
             self.out.push_str(" F");
             self.out.push_str(&number(feed));
         }
+        self.power_word();
         self.at = to;
         self.out.push('\n');
+    }
+
+    /// The S word of a laser, where it changes.
+    fn power_word(&mut self) {
+        if let Some([in_force, word]) = &mut self.beam
+            && in_force != word
+        {
+            *in_force = *word;
+            self.out.push_str(" S");
+            self.out.push_str(&number(*word));
+        }
     }
 
     /// Centre of the arc through the rounded points; `None` where a straight move is as good.

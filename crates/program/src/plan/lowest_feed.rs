@@ -104,7 +104,13 @@ fn feed_floor_of(spec: &Spec, machine: &Machine, parts: &[&ProcessSteps<'_>]) ->
             actual_speed(&machine.motion, speed, (slowest, fastest))
         ),
         format!(
-            "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{}",
+            "{}a speed of at least {:.2} mm/s{}",
+            // The strokes and dwells of an iron would burn holes.
+            if spec.seal.power.is_some() {
+                "write "
+            } else {
+                "write `feed_floor = \"chop\"` in [machine]; or "
+            },
             (fastest * (1.0 - 1e-9) * 100.0).ceil() / 100.0,
             finer_steps(&machine.motion, speed, flatness)
         ),

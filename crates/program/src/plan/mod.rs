@@ -4,6 +4,7 @@
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
 //! that, and also how long a single move is; the emitters only round and write.
 
+mod bends;
 mod blade;
 mod chop;
 mod cut;
@@ -11,6 +12,7 @@ mod feed_correction;
 mod feedcheck;
 mod job_size;
 mod keep_out;
+mod laser;
 mod lowest_feed;
 mod marks;
 mod moves;
@@ -36,6 +38,7 @@ pub use feed_correction::{FeedCorrection, STOPWATCH, feed_correction};
 pub use feedcheck::{CHECK_LENGTH, feed_check_refusals, feed_checks};
 pub use job_size::too_many_moves;
 pub use keep_out::clamp_bounds;
+pub use laser::{LASER_SAFETY, laser_settings, no_laser};
 pub use lowest_feed::{actual_speed, lowest_speed};
 pub use marks::no_marks;
 pub use moves::{LONGEST_MOVE, moves};

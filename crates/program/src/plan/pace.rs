@@ -82,6 +82,11 @@ impl Pacer {
         Self { pace, speed, early: 0.0, overdue: 0.0, run: PacedRun::default() }
     }
 
+    /// The seal's speed, mm/s.
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
     /// Hands the strokes of `piece` to `emit`, in order; `heights` are those of its two ends where they differ.
     pub fn strokes(&mut self, piece: &Segment, heights: Option<(f64, f64)>, mut emit: impl FnMut(Stroke)) {
         let rise = heights.map_or(0.0, |(from, to)| to - from);

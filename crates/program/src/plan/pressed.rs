@@ -12,7 +12,10 @@ use spec::{Machine, ProgramScope, Spec, key};
 pub fn pressed_beyond(spec: &Spec, machine: &Machine, design: &Design) -> Option<Refusal> {
     let (ramp, heights) = (machine.process.ramp.0, machine.process.heights);
     let (low, high) = (lowest_contact(spec, machine, design), heights.travel.0);
-    let excess = ramp * (-low).max(0.0) / (high - low);
+    if low >= 0.0 {
+        return None;
+    }
+    let excess = ramp * -low / (high - low);
     batches(design, ProgramScope::Sheet).iter().find_map(|(_, placed)| {
         let (name, band, end) = sealed_beyond(&design.pieces(placed), excess)?;
         let half = band / 2.0;

@@ -98,6 +98,8 @@ pub enum Step {
 pub enum PauseReason {
     /// A look at the last seam: index of the next one.
     Look(usize),
+    /// Goggles on and the enclosure closed before a laser may come on.
+    Beam,
     /// Another tool in the place of the iron.
     Tool(CutTool),
     /// The tip is above a mark of the sheet.

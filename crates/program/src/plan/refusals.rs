@@ -2,6 +2,7 @@
 
 use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
+use crate::plan::laser::high_focus;
 use crate::plan::lowest_feed::feed_floor;
 use crate::plan::process_refusal::of_process;
 use crate::plan::program::{distinct_processes, lowest_contact};
@@ -19,6 +20,7 @@ pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Pro
     }
     let mut refusals: Refusals = feed_floor(spec, machine, seals).into_iter().collect();
     refusals.extend(deep_contacts(spec, machine, seals));
+    refusals.extend(high_focus(spec, machine, seals));
     refusals.extend(clamped_contacts(machine, seals));
     refusals.extend(contradictions(spec, machine, seals));
     refusals.extend(too_steep(spec, machine, seals));

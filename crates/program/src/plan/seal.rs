@@ -41,10 +41,13 @@ pub(super) fn scope(purpose: Purpose, sheet: usize, placed: &[&PlacedPart]) -> S
 /// The program that stops above `marks`, and makes the contacts of `job`, in their order.
 ///
 /// Before a contact of another temperature, or after which its seam asks for a pause, the iron goes up and home. A seam that cools does
-/// so with the iron at travel height above its end.
+/// so with the iron at travel height above its end. A laser waits for the operator before its first contact.
 pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob, marks: &[Point]) -> Program {
     let mut steps = vec![Step::Height(Height::Park)];
     steps.extend(mark_steps(marks));
+    if machine.controller.laser.is_some() {
+        steps.push(Step::Pause(PauseReason::Beam));
+    }
     let mut list = SeamList { seams: Vec::new(), processes: job.processes.clone() };
     let planner = ContactPlanner::of_job(spec, machine, job);
     for (contact, i) in job.contacts.iter().zip(0..) {
@@ -66,7 +69,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, job: &SealJob,
         steps.extend(job.cool_after(i).map(Step::Cool));
         list.seams.push(contact_plan.report);
     }
-    if list.seams.is_empty() {
+    if list.seams.is_empty() && machine.controller.laser.is_none() {
         steps.push(Step::Heat(spec.seal.temperature));
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);

@@ -1,8 +1,9 @@
 //! Exact time: lengths over speed in contact, dwells, travels that speed up and brake.
 //!
 //! Heating and pauses depend on the heater and the operator: they are not counted. At the seal's speed
-//! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
+//! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does, and for a laser, too.
 
+use crate::plan::bends::FastTool;
 use crate::plan::lowest_feed::lowest_of;
 use crate::plan::program::{PacedProcess, SeamList, steps_of};
 use crate::plan::travel::{Travel, TravelLimits};
@@ -20,6 +21,8 @@ pub struct Clock<'a> {
     height: f64,
     /// The travel that has just been made, if the iron may not have stopped after it.
     last: Option<Travel>,
+    /// A laser on its way along a path, which has not stopped yet.
+    fast: Option<FastTool>,
     /// Time so far, s.
     pub elapsed: f64,
 }
@@ -28,7 +31,22 @@ impl<'a> Clock<'a> {
     /// A clock at the beginning, with the iron where every program leaves it: parked above the sheet's corner.
     pub fn new(machine: &'a Machine) -> Self {
         let height = height_of(&machine.process, Height::Park);
-        Self { machine, at: Point::ORIGIN, height, last: None, elapsed: 0.0 }
+        Self { machine, at: Point::ORIGIN, height, last: None, fast: None, elapsed: 0.0 }
+    }
+
+    /// Adds what a laser loses where it begins to follow `piece` at `speed`, mm/s; `heights` are those of its two ends where they differ.
+    /// Any other tool loses nothing.
+    pub fn bend(&mut self, piece: &Segment, heights: Option<(f64, f64)>, speed: f64) {
+        let Machine { controller, motion, .. } = self.machine;
+        let Some(acceleration) = motion.acceleration.filter(|_| controller.laser.is_some()) else { return };
+        let rise = heights.map_or(0.0, |(from, to)| to - from);
+        let tool = FastTool::following(piece, rise, speed, acceleration.0);
+        self.elapsed += tool.loss(piece, rise, self.fast.replace(tool));
+    }
+
+    /// Adds what a laser loses where it stops.
+    fn stop(&mut self) {
+        self.elapsed += self.fast.take().map_or(0.0, FastTool::stop);
     }
 
     /// Adds a move or wait that took `seconds` and ended at `end`.
@@ -54,11 +72,13 @@ impl<'a> Clock<'a> {
 
     /// Adds a wait.
     pub fn wait(&mut self, seconds: f64) {
+        self.stop();
         self.last = None;
         self.elapsed += seconds;
     }
 
     fn go(&mut self, way: [f64; 3]) {
+        self.stop();
         let Machine { controller, process, motion, .. } = self.machine;
         let (speed, acceleration) = (process.travel_speed.0, motion.acceleration.map(|a| a.0));
         let limits = TravelLimits { dialect: controller.dialect, speed, acceleration };
@@ -141,12 +161,14 @@ fn times_of(program: &Program, spec: &Spec, machine: &Machine) -> (Vec<f64>, Vec
             Step::Travel(to) => clock.travel(*to),
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 for (piece, from, to) in ramp.with_heights() {
+                    clock.bend(piece, Some((from, to)), program.processes[process].process.seal.speed.0);
                     clock.add(piece.end(), Some(to), seal_time(&mut pacer, piece, Some((from, to))));
                 }
                 overdue[process] = overdue[process].max(pacer.overdue());
             }
             Step::Seal(pieces) => {
                 for piece in pieces {
+                    clock.bend(piece, None, program.processes[process].process.seal.speed.0);
                     clock.add(piece.end(), None, seal_time(&mut pacer, piece, None));
                 }
                 overdue[process] = overdue[process].max(pacer.overdue());

@@ -22,13 +22,16 @@ pub struct CouponManifest {
 /// The settings of the strips, and the groups of coupons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponChoice {
-    /// Temperatures of the iron, or of the plates.
+    /// Temperatures of the iron, or of the plates; none of a laser.
     #[serde(rename = "temperatures_C")]
     pub temperatures: Vec<f64>,
-    /// Speeds of the iron.
+    /// Powers of a laser, parts of its full power; absent for an iron and a press.
+    #[serde(rename = "powers_percent", default, skip_serializing_if = "Vec::is_empty")]
+    pub powers: Vec<f64>,
+    /// Speeds of the tool.
     #[serde(rename = "speeds_mm_s")]
     pub speeds: Vec<f64>,
-    /// Heights of the tip in contact.
+    /// Heights of the tip in contact, or of a laser's focus.
     #[serde(rename = "heights_mm")]
     pub heights: Vec<f64>,
     /// Times of a press, s; absent for an iron.

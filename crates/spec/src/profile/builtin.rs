@@ -20,7 +20,8 @@ const BUILTIN: &[(&str, &str)] = builtin![
     "ender",
     "prusa",
     "klipper-printer",
-    "press"
+    "press",
+    "grbl-laser"
 ];
 
 /// The names of the profiles that come with the program.
@@ -30,7 +31,7 @@ pub fn builtin_machines() -> impl Iterator<Item = &'static str> {
 
 /// Usual machines as they are sold: the first letters of their names, in lower case without blanks and dashes, the controller,
 /// and its profile. Owners change firmwares, so this is a hint for a message and never a choice.
-const USUAL: [(&[&str], &str, &str); 9] = [
+const USUAL: [(&[&str], &str, &str); 10] = [
     (
         &[
             "creality",
@@ -52,23 +53,8 @@ const USUAL: [(&[&str], &str, &str); 9] = [
         "Klipper",
         "klipper-printer",
     ),
-    (
-        &[
-            "shapeoko",
-            "3018",
-            "cnc3018",
-            "genmitsu",
-            "xcarve",
-            "ortur",
-            "sculpfun",
-            "atomstack",
-            "xtool",
-            "longmill",
-            "laser",
-        ],
-        "GRBL",
-        "grbl",
-    ),
+    (&["shapeoko", "3018", "cnc3018", "genmitsu", "xcarve", "longmill"], "GRBL", "grbl"),
+    (&["ortur", "sculpfun", "atomstack", "xtool", "laser"], "GRBL", "grbl-laser"),
     (&["ender"], "Marlin", "ender"),
     (&["prusa", "mk3", "mk4"], "Marlin", "prusa"),
     (&["bambu", "a1mini", "p1s", "p1p", "x1c", "x1carbon"], "Bambu's firmware", "bambu"),
@@ -112,6 +98,7 @@ mod tests {
             ("Creality K1", "klipper-printer"),
             ("voron 2.4", "klipper-printer"),
             ("3018", "grbl"),
+            ("Ortur LM2", "grbl-laser"),
             ("Duet3", "reprapfirmware"),
         ] {
             assert_eq!(usual_profile(name).map(|(_, profile)| profile), Some(profile), "{name}");

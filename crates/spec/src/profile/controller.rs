@@ -31,7 +31,7 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
     // Places are whole micrometres, as heights are: programs state them exactly.
     let surface = Length(to_micrometres(root.length("surface", PLACE, 0.0).0));
     let place = SheetPlace { surface, ..SheetPlace::default() };
-    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails, place }
+    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails, place, laser: None }
 }
 
 /// Heights of the release layer above the machine's zero, and places of the sheet's corner: within any machine.

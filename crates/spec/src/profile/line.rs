@@ -39,6 +39,8 @@ pub(super) enum Effect {
     Setting(Limits),
     /// A heater is switched off.
     HeaterOff,
+    /// A laser is switched off.
+    BeamOff,
     /// The machine is put in order.
     Service(Service),
     /// The machine waits for the operator.
@@ -73,6 +75,7 @@ pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
         (Command::Setting, parameters) => setting(parts[0], parameters).map(Effect::Setting),
         (Command::HeatOnly, [(b'S', 0.0)] | [(b'T', _), (b'S', 0.0)]) => Some(Effect::HeaterOff),
         (Command::Pause, []) => Some(Effect::Pause),
+        (Command::BeamOff, []) => Some(Effect::BeamOff),
         (Command::End, []) => Some(Effect::End),
         _ => {
             let modes: Vec<Command> = parts.iter().map(command).collect::<Option<_>>()?;
@@ -91,6 +94,7 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
         names.extend(match (command, part) {
             (Command::Pause, LinePart::Pause) | (Command::End, LinePart::End) => Some(code),
             (_, LinePart::Pause) => None,
+            (Command::BeamOff, _) => Some(code),
             (Command::HeatOnly, _) => Some(format!("{code} S0")),
             (Command::Setting, _) if code == "M203" => Some("M203 I..".to_owned()),
             (Command::Setting, _) if code == "M205" => Some("M205 S.. T..".to_owned()),

@@ -6,6 +6,7 @@
 mod builtin;
 mod controller;
 mod known;
+mod laser;
 mod line;
 mod modes;
 mod motion;
@@ -20,6 +21,7 @@ use crate::foreign::Document;
 use crate::machine::{Machine, Script, SealingTool};
 use crate::name::misleads;
 use crate::profile::controller::{read_controller, read_dwells};
+use crate::profile::laser::{check_laser, read_laser};
 use crate::profile::motion::read_motion;
 use crate::profile::process::{read_bench, read_origin, read_process, read_tip};
 use crate::profile::script::read_script;
@@ -56,7 +58,7 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
         is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
     let description = description.unwrap_or_default();
-    let tools = [("iron", SealingTool::Iron), ("press", SealingTool::Press)];
+    let tools = [("iron", SealingTool::Iron), ("press", SealingTool::Press), ("laser", SealingTool::Laser)];
     let tool = root.choice("tool", &tools).unwrap_or(SealingTool::Iron);
     if tool == SealingTool::Press {
         return Machine::press(name, description);
@@ -64,8 +66,13 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     root.require(&[("dialect", "\"generic\"")]);
     let mut controller = read_controller(&mut root);
     let tip = read_tip(&mut root);
+    if tool == SealingTool::Laser {
+        check_laser(&mut root, controller.dialect);
+    }
     controller.dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
-    let process = read_process(reader, tip);
+    let laser = read_laser(reader, tool);
+    controller.laser = laser.as_ref().map(|laser| laser.drive);
+    let process = read_process(reader, tip, laser.map(|laser| laser.focus));
     (controller.place.x, controller.place.y) = read_origin(&mut reader.section("origin"));
     let bench = read_bench(reader, controller.place);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);

@@ -20,12 +20,13 @@ pub(super) fn read_tip(root: &mut Section<'_, '_>) -> (Option<bool>, Length) {
     (root.truth("spring_loaded"), root.length("ramp", SIZE, 3.0))
 }
 
-/// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`].
+/// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`]; `focus` is that of a laser, which takes the place of a contact.
 pub(super) fn read_process(
     reader: &mut Reader<'_>,
     (spring_loaded, ramp): (Option<bool>, Length),
+    focus: Option<Length>,
 ) -> Process {
-    let heights = read_heights(&mut reader.section("heights"), spring_loaded);
+    let heights = read_heights(&mut reader.section("heights"), spring_loaded, focus);
     let mut speeds = reader.section("speeds");
     let travel_speed = speeds.quantity("travel", FAST).unwrap_or(Speed(20.0));
     let trace_speed = speeds.quantity("trace", FAST).unwrap_or(Speed(20.0));
@@ -33,20 +34,31 @@ pub(super) fn read_process(
     Process { spring_loaded, heights, ramp, travel_speed, trace_speed }
 }
 
-fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights {
-    s.require(&[("contact", "\"0 mm\""), ("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
+fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>, focus: Option<Length>) -> Heights {
+    // A laser's focus takes the place of the contact that an iron must have. Then each height must be above the one before it,
+    // as far as both could be read.
+    s.require_if(focus.is_none(), &[("contact", "\"0 mm\"")]);
+    s.require(&[("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
     let mut height = |key, allowed| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x)));
-    let contact = height("contact", CONTACT);
+    let stated_contact = height("contact", CONTACT);
     let travel = height("travel", HEIGHT);
     let park = height("park", HEIGHT);
+    if focus.is_some() && s.contains("contact") {
+        let fault = Fault::error(FaultCode::Conflict, s.place_of("contact"), "`contact` beside a laser");
+        s.report(
+            fault.label("a laser touches nothing").help("delete it: `focus` in [laser] takes its place"),
+        );
+    }
+    let contact = focus.or(stated_contact);
     if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
         && contact < lowest_contact(false)
     {
         let allowed = "must be 0 mm for a tip without a spring (`spring_loaded = false`)";
         s.refuse(FaultCode::OutOfRange, "contact", format!("`contact` is {}", Length(contact)), allowed);
     }
+    let lowest_key = if focus.is_some() { "focus" } else { "contact" };
     for (low, low_key, high, high_key) in
-        [(contact, "contact", travel, "travel"), (travel, "travel", park, "park")]
+        [(contact, lowest_key, travel, "travel"), (travel, "travel", park, "park")]
     {
         if let (Some(low), Some(high)) = (low, high)
             && high <= low

@@ -10,8 +10,12 @@ impl Machine {
     /// Sources: `report_init_message` of GRBL and grblHAL, FluidNC's `Report.cpp`, `cmd_M115` of Klipper, the pages on M115 of Marlin
     /// and RepRapFirmware.
     pub fn sign(&self) -> &'static str {
-        if self.tool == SealingTool::Press {
-            return "two hot plates without a controller";
+        match self.tool {
+            SealingTool::Press => return "two hot plates without a controller",
+            SealingTool::Laser => {
+                return "prints \"Grbl 1.1h ['$' for help]\" and drives a laser: $32=1 in its answer to $$";
+            }
+            SealingTool::Iron => {}
         }
         match self.controller.dialect {
             Dialect::Generic => "none of the signs below",
@@ -28,10 +32,11 @@ impl Machine {
         }
     }
 
-    /// Who heats: "hotend", "by hand", or "plates".
+    /// Who heats: "hotend", "by hand", "plates", or "laser".
     pub fn heater(&self) -> &'static str {
         match (self.tool, &self.controller.heating) {
             (SealingTool::Press, _) => "plates",
+            (SealingTool::Laser, _) => "laser",
             (SealingTool::Iron, Heating::Operator) => "by hand",
             (SealingTool::Iron, Heating::Hotend(_)) => "hotend",
             (SealingTool::Iron, Heating::Heater(_)) => "heater",

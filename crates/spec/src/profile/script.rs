@@ -28,6 +28,10 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Machine) -> Script {
     let end = read_commands(&mut program, LinePart::End, stated, &mut Limits::default(), &mut last_services);
     check_services(&mut program, &services, &last_services);
     check_heater_off(&mut program, &end, &stated.controller.heating);
+    if stated.controller.laser.is_some() {
+        check_beam_off(&mut program, LinePart::Start, &start);
+        check_beam_off(&mut program, LinePart::End, &end);
+    }
     let services = services.into_iter().map(|line| line.service).collect();
     // Each becomes a comment that begins with "; requires: ".
     let length = stated.controller.line_length - 12;
@@ -47,6 +51,18 @@ fn check_heater_off(program: &mut Section<'_, '_>, end: &[String], heating: &Hea
     if program.contains("end") && !end.contains(&heater_off) {
         let problem = format!("`end` does not turn off the heater of `heating`, \"{}\"", heating.name());
         program.refuse(FaultCode::ProgramLine, "end", problem, format!("must hold \"{heater_off}\""));
+    }
+}
+
+/// The word that switches a laser off.
+const BEAM_OFF: &str = "M5";
+
+/// Reports a part of a laser's program that does not switch the beam off: a program before may have left it on, and none leaves it on.
+fn check_beam_off(program: &mut Section<'_, '_>, part: LinePart, lines: &[String]) {
+    let key = part.key();
+    if program.contains(key) && !lines.iter().any(|line| line.trim() == BEAM_OFF) {
+        let problem = format!("`{key}` does not switch the laser off");
+        program.refuse(FaultCode::ProgramLine, key, problem, format!("must hold \"{BEAM_OFF}\""));
     }
 }
 
@@ -107,7 +123,7 @@ fn read_command(
 ) -> (String, Option<Effect>) {
     let (key, vocabulary) = (part.key(), Vocabulary::for_controller(controller));
     let line_effect = effect(line, vocabulary).filter(|effect| match effect {
-        Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != LinePart::Pause,
+        Effect::Modes | Effect::Setting(_) | Effect::HeaterOff | Effect::BeamOff => part != LinePart::Pause,
         Effect::Service(service) => part == LinePart::Start || part == LinePart::End && is_last(*service),
         Effect::Pause => part == LinePart::Pause,
         Effect::End => part == LinePart::End,

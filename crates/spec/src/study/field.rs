@@ -307,6 +307,8 @@ mod tests {
             "process.cool",
             "process.pause",
             "process.strength",
+            "process.power",
+            "process.focus",
             "mask.kind",
             "cut.tool",
             "cut.temperature",

@@ -13,7 +13,7 @@ use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate};
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 22] = [
+pub(super) const KEYS: [&str; 24] = [
     "program",
     "seal",
     "machine",
@@ -36,6 +36,8 @@ pub(super) const KEYS: [&str; 22] = [
     "cut",
     "mark",
     "aligned",
+    "laser",
+    "beam",
 ];
 
 /// The comments with one of [`KEYS`] or for the operator, in the order of the file. `chopped`: whether each process of the job consists of
@@ -64,6 +66,9 @@ pub(super) fn expected_comments(task: &ProgramTask<'_>, chopped: &[bool]) -> Vec
             processes_and_contacts(task, chopped, &mut comments);
         }
         comments.extend(marks(task));
+        if task.arms_laser() {
+            comments.push("beam: armed_by=operator".to_owned());
+        }
         contacts(task, &mut comments);
     }
     if task.work == ProgramWork::Trace {
@@ -84,7 +89,7 @@ fn processes_and_contacts(task: &ProgramTask<'_>, chopped: &[bool], comments: &m
     for (SealProcess { name, seal, .. }, is_chopped) in job.processes.iter().zip(chopped) {
         let (height, cool) = (seal.contact(&machine.process).0, seal.cool.0);
         let mut facts = vec![
-            format!("temperature_C={}", seal.temperature.0),
+            heat(seal),
             format!("speed_mm_s={}", seal.speed.0),
             format!("contact_mm={height}"),
             format!("cool_s={cool}"),
@@ -117,15 +122,21 @@ fn cutting(task: &ProgramTask<'_>, tool: CutTool, comments: &mut Vec<String>) {
 
 /// The seal.
 fn seal(seal: &Seal, comments: &mut Vec<String>) {
-    let (t, v, w, o) = (seal.temperature.0, seal.speed.0, seal.band.0, seal.overlap.0);
-    comments.push(format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+    let (heat, v, w, o) = (heat(seal), seal.speed.0, seal.band.0, seal.overlap.0);
+    comments.push(format!("seal: {heat} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+}
+
+/// The temperature of an iron, or the power of a laser.
+fn heat(seal: &Seal) -> String {
+    let temperature = || format!("temperature_C={}", seal.temperature.0);
+    seal.power.map_or_else(temperature, |power| format!("power_percent={}", power.0))
 }
 
 /// The machine.
 fn machine(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     let ProgramTask { spec, machine, .. } = *task;
     let (controller, process) = (&machine.controller, &machine.process);
-    let heating = controller.heating.name().replace(' ', "-");
+    let heating = controller.heating_name().replace(' ', "-");
     let arcs = if controller.arcs { "yes" } else { "no" };
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     comments.push(format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"));
@@ -139,6 +150,10 @@ fn machine(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     };
     let (path, rapid) = (spec.accuracy.path.0, process.travel_speed.0);
     comments.push(format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
+    if let Some(laser) = controller.laser {
+        let focus = spec.seal.contact(process).0;
+        comments.push(format!("laser: full_power_S={} focus_mm={focus}", laser.full_power));
+    }
     if let [x, y, z] = controller.place.shift()
         && !controller.place.is_origin()
     {

@@ -1,5 +1,6 @@
 //! A feed check: cold, above the fabric, line after line between two pauses, each with its duration at the seal's speed.
 
+use crate::verify::judge::beam::NoBeam;
 use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::ready::ReadyJudge;
@@ -63,6 +64,7 @@ impl FeedCheckTask<'_> {
             Box::new(Timed::new(&rules, area, times)),
             Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),
             Box::new(Traced::new(&task)),
+            Box::new(NoBeam),
         ];
         judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
     }

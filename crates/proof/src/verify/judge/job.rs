@@ -1,6 +1,7 @@
 //! A G-code program against the design: place, temperature and speed of the iron.
 
 use crate::verify::finding::quote;
+use crate::verify::judge::beam::{BeamJudge, NoBeam};
 use crate::verify::judge::blade::BladeJudge;
 use crate::verify::judge::clamp::ClampJudge;
 use crate::verify::judge::comments::CommentJudge;
@@ -19,12 +20,12 @@ use crate::verify::{FindingCode, Findings};
 use geom::Bounds;
 
 impl ProgramTask<'_> {
-    /// The number of pauses: one for each heating by the operator, one wherever a seam asks for it, one for another tool, and one above every
-    /// mark.
+    /// The number of pauses: one for each heating by the operator, one wherever a seam asks for it, one for another tool or before a
+    /// laser is armed, and one above every mark.
     fn pauses(&self) -> usize {
         let tools = match self.work {
             ProgramWork::Trace => return self.marks.len(),
-            ProgramWork::Seal => 0,
+            ProgramWork::Seal => usize::from(self.arms_laser()),
             ProgramWork::Cut(_) => 1,
         };
         let by_operator = !self.machine.controller.heating.is_by_program();
@@ -63,6 +64,9 @@ impl ProgramTask<'_> {
             judges.push(Box::new(TravelFeed(machine.process.travel_speed)));
             judges.push(Box::new(Cold { rules: &rules, marks: self.marks.len() }));
         }
+        judges.extend(controller.laser.map(|laser| -> Box<dyn Judge + '_> {
+            if hot { Box::new(BeamJudge::new(laser, &rules)) } else { Box::new(NoBeam) }
+        }));
         judges.push(Box::new(CommentJudge::new(self)));
         judges.push(Box::new(StopJudge::new(&self.marks, heights.travel.0, tolerance)));
         judges.push(Box::new(TravelOrder::new(heights, &self.marks, legs(self), work.title(), tolerance)));

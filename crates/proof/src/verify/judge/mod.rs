@@ -1,5 +1,6 @@
 //! Judges: they compare the files with the design; every difference becomes a finding.
 
+mod beam;
 mod blade;
 pub(super) mod clamp;
 mod comments;

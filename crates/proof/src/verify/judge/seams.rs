@@ -26,7 +26,8 @@ pub(super) fn legs(task: &ProgramTask<'_>) -> Vec<Leg> {
             ProgramWork::Seal | ProgramWork::Trace => None,
         };
         let change = tool.filter(|_| i == 0).map(|_| "tool");
-        let stop = change.into_iter().chain(pause).chain(heat).collect();
+        let beam = task.arms_laser().then_some("beam").filter(|_| i == 0);
+        let stop = change.into_iter().chain(beam).chain(pause).chain(heat).collect();
         let (first, offset) =
             (contact.laid.lead_in.segments.first()?, tool.map_or(0.0, |tool| tool.blade_offset().0));
         // The axis of a blade is ahead of its tip.

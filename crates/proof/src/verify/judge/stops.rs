@@ -9,7 +9,7 @@ use geom::Point;
 /// The key of the comment that announces a stop above a mark.
 const MARK: &str = "mark";
 /// The keys of the comments that announce a stop, besides those for the heat, which the interpreter follows.
-const STOPS: [&str; 3] = [MARK, "tool", "pause"];
+const STOPS: [&str; 4] = [MARK, "tool", "pause", "beam"];
 
 /// Reports every announced stop that does not come, and every stop above a mark that is elsewhere, or is missing.
 pub(super) struct StopJudge<'a> {

@@ -53,6 +53,11 @@ pub struct ProgramTask<'a> {
 }
 
 impl<'a> ProgramTask<'a> {
+    /// Whether the program seals with a laser, which waits for the operator before its first seam.
+    pub(super) fn arms_laser(&self) -> bool {
+        self.work == ProgramWork::Seal && self.machine.controller.laser.is_some()
+    }
+
     /// The task of the program for piece number `piece`, or for all pieces of `sheet`; `None` if the design has no such part.
     pub(super) fn of_pieces(
         (spec, machine, design): (&'a Spec, &'a Machine, &Design),

@@ -151,7 +151,7 @@ impl Judge for TravelOrder {
     }
 
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut", "mark"]
+        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut", "mark", "beam"]
             .into_iter()
             .find(|key| comment.key() == Some(*key))
         {

@@ -93,12 +93,18 @@ impl Block {
             return Err(Finding::new(FindingCode::UnusedWord, "P or a dwell, one of them", "both or none"));
         }
         let is_own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
-        if let Some(letter) = b"PRST".iter().find(|l| self.value(**l).is_some() && !is_own(**l)) {
+        // The power of a laser may change in any line.
+        let is_power = |letter: u8| letter == b'S' && dialect.vocabulary.drives_laser();
+        let is_stray = |letter: u8| self.value(letter).is_some() && !is_own(letter) && !is_power(letter);
+        if let Some(letter) = b"PRST".iter().find(|letter| is_stray(**letter)) {
             let fault = format!("{} without its command", char::from(*letter));
             return Err(Finding::new(FindingCode::UnusedWord, fault, "words that a command uses"));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
             return Err(Finding::new(FindingCode::BadNumber, format!("P{p}"), "a time >= 0"));
+        }
+        if let Some(s) = self.value(b'S').filter(|s| *s < 0.0) {
+            return Err(Finding::new(FindingCode::BadNumber, format!("S{s}"), "a power >= 0"));
         }
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
             return Err(Finding::new(FindingCode::BadFeed, format!("F{f}"), "a feed > 0"));

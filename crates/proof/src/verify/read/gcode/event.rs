@@ -104,6 +104,34 @@ pub enum Heater {
     Named(String),
 }
 
+/// A laser as the program has set it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Beam {
+    /// Whether it is armed, and how its power follows the motion.
+    pub mode: BeamMode,
+    /// The S word in force, which stays while the laser is off.
+    pub word: f64,
+}
+
+/// Whether a laser is armed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BeamMode {
+    /// M5: it is off.
+    #[default]
+    Off,
+    /// M4: its power follows the speed, and is 0 at rest.
+    ByMotion,
+    /// M3: its power is constant, at rest as well.
+    Constant,
+}
+
+impl Beam {
+    /// The S word with which it shines along a move at the feed; 0 if it is off.
+    pub fn shines(self) -> f64 {
+        if self.mode == BeamMode::Off { 0.0 } else { self.word }
+    }
+}
+
 /// A line that puts the machine in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ServiceCall {
@@ -146,6 +174,8 @@ pub enum Event {
     Heat(Heat),
     /// The machine is put in order.
     Service(ServiceCall),
+    /// A laser is armed, gets another power, or is switched off.
+    Beam(Beam),
     /// A wait for a time.
     Dwell(Dwell),
     /// A wait for the operator.

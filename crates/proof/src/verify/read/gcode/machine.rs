@@ -3,7 +3,8 @@
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{
-    ArcTolerance, BlindMove, Dialect, Dwell, Event, Heat, Heater, Move, MoveKind, Point3, ServiceCall,
+    ArcTolerance, Beam, BeamMode, BlindMove, Dialect, Dwell, Event, Heat, Heater, Move, MoveKind, Point3,
+    ServiceCall,
 };
 use crate::verify::{Finding, FindingCode};
 use geom::{Arc, Line, Point, Segment};
@@ -30,6 +31,8 @@ pub(super) struct Machine {
     pub(super) modes: Modes,
     /// Temperature for which a program waited, in degrees Celsius; `None` once another one is set without a wait.
     pub(super) waited_for_celsius: Option<f64>,
+    /// The laser, of a machine that has one.
+    beam: Beam,
     position: [Option<f64>; 3],
     /// Names of modes whose absence was reported already.
     reported: Vec<&'static str>,
@@ -77,6 +80,7 @@ impl Machine {
                 self.heat(heat, waits_for_cooler, context.out);
             }
         }
+        self.set_beam(context);
         if block.commands.iter().any(|command| command.is_setting()) {
             context.out.push(Event::Setting);
         }
@@ -95,6 +99,25 @@ impl Machine {
             self.travel(context);
         } else if block.has_command(Command::ArcCw) || block.has_command(Command::ArcCcw) {
             context.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
+        }
+    }
+
+    /// Follows the words to a laser: S counts before M3, M4 and M5 of its line (gcode.c, gc_execute_line).
+    fn set_beam(&mut self, context: &mut BlockContext<'_>) {
+        let BlockContext { block, dialect, .. } = *context;
+        if !dialect.vocabulary.drives_laser() {
+            return;
+        }
+        let mode = block.commands.iter().find_map(|command| match command {
+            Command::BeamConstant => Some(BeamMode::Constant),
+            Command::BeamByMotion => Some(BeamMode::ByMotion),
+            Command::BeamOff => Some(BeamMode::Off),
+            _ => None,
+        });
+        let word = block.value(b'S');
+        if mode.is_some() || word.is_some() {
+            self.beam = Beam { mode: mode.unwrap_or(self.beam.mode), word: word.unwrap_or(self.beam.word) };
+            context.out.push(Event::Beam(self.beam));
         }
     }
 

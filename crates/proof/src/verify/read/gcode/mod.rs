@@ -17,6 +17,9 @@ mod modes;
 mod program;
 
 pub use dialects::{ArcTolerance, Dialect};
-pub use event::{BlindMove, Comment, Dwell, Event, Heat, Heater, Move, MoveKind, Pause, Point3, ServiceCall};
+pub use event::{
+    Beam, BeamMode, BlindMove, Comment, Dwell, Event, Heat, Heater, Move, MoveKind, Pause, Point3,
+    ServiceCall,
+};
 pub use interpreter::Interpreter;
 pub use program::{Line, Program, each_line, read_program};

@@ -42,7 +42,10 @@ impl Modes {
             | C::HeatAndWait
             | C::HeatOnly
             | C::Progress
-            | C::Setting => {}
+            | C::Setting
+            | C::BeamConstant
+            | C::BeamByMotion
+            | C::BeamOff => {}
         }
     }
 

@@ -85,7 +85,7 @@ impl Program {
         match event {
             Event::Move(x) => self.moves.push(x),
             Event::Blind(x) => self.blind.push(x),
-            Event::Setting | Event::Service(_) => {}
+            Event::Setting | Event::Service(_) | Event::Beam(_) => {}
             Event::Heat(x) => self.heats.push(x),
             Event::Dwell(x) => self.dwells.push(x),
             Event::Pause(x) => self.pauses.push(x),
