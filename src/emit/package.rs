@@ -13,12 +13,11 @@ use spec::digest::md5;
 
 /// The program's part.
 const PROGRAM: &str = "Metadata/plate_1.gcode";
-/// The types of the parts by their endings, as Bambu Studio lists them.
+/// The types of the parts by their endings, as Bambu Studio has them.
 const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
  <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
  <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
- <Default Extension="png" ContentType="image/png"/>
  <Default Extension="gcode" ContentType="text/x.gcode"/>
 </Types>
 "#;

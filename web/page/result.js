@@ -47,7 +47,7 @@ export class Result {
             const answer = await ask({ ...marks, sheet: Number(byId("sheets").value) + 1 }, this.#files);
             if (!answer) return;
             const { reason, motion, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
-            byId("moved-note").textContent = reason ?? `Turned by ${motion.turn_deg.toFixed(3)} deg, shifted by X ${motion.shift_mm[0].toFixed(2)} Y ${motion.shift_mm[1].toFixed(2)} mm; the marks are ${motion.stretch_mm.toFixed(2)} mm off their distance. Proven where the sheet lies now.`;
+            byId("moved-note").textContent = reason ?? `Turned by ${motion.turn_deg.toFixed(3)} deg, shifted by X ${motion.shift_mm[0].toFixed(2)} Y ${motion.shift_mm[1].toFixed(2)} mm; the marks are ${motion.stretch_mm.toFixed(2)} mm off their distance.`;
             if (motion) save(`${folder}.zip`, zipped(folder, files));
         });
     }

@@ -15,17 +15,17 @@ pub(in crate::verify) struct ZipEntry<'a> {
 }
 
 /// The fixed part of a header: the bytes with which it begins, and its length.
-struct Header {
+struct ZipHeader {
     mark: &'static [u8],
     length: usize,
 }
 
 /// The header before a content.
-const LOCAL: Header = Header { mark: b"PK\x03\x04", length: 30 };
+const LOCAL: ZipHeader = ZipHeader { mark: b"PK\x03\x04", length: 30 };
 /// An entry of the directory.
-const CENTRAL: Header = Header { mark: b"PK\x01\x02", length: 46 };
+const CENTRAL: ZipHeader = ZipHeader { mark: b"PK\x01\x02", length: 46 };
 /// The record at the end of an archive without a comment.
-const END: Header = Header { mark: b"PK\x05\x06", length: 22 };
+const END: ZipHeader = ZipHeader { mark: b"PK\x05\x06", length: 22 };
 
 /// Where a header of an entry states its facts: the bytes from its version on, alike in both headers.
 const FLAGS: usize = 2;
@@ -37,79 +37,39 @@ const EXTRA_LENGTH: usize = 24;
 /// Length of these facts.
 const FACTS: usize = 26;
 
+/// An entry as its headers state it.
+struct StatedEntry<'a> {
+    name: &'a [u8],
+    content: &'a [u8],
+    checksum: usize,
+    is_stored: bool,
+}
+
 /// The entries of an archive, in the order of their contents.
 ///
 /// The directory and the headers before the contents are both read and must agree, and the entries must fill the archive: two programs
 /// that read either find the same.
 pub(in crate::verify) fn read_zip(bytes: &[u8]) -> Result<Vec<ZipEntry<'_>>, Finding> {
-    let tail = bytes.len().checked_sub(END.length).map(|start| &bytes[start..]);
-    let Some(end) = tail.filter(|end| end.starts_with(END.mark)) else {
-        return Err(fault("no record of its end", "an archive without a comment"));
-    };
-    let (Some(count), Some(length), Some(start)) = (number16(end, 10), number32(end, 12), number32(end, 16))
-    else {
-        return Err(fault("a short record of its end", "22 bytes"));
-    };
-    if end[4..8] != [0; 4] || end[8..10] != end[10..12] || end[20..] != [0; 2] {
-        return Err(fault("several disks, or a comment", "an archive on one disk, without a comment"));
-    }
-    if start.checked_add(length) != Some(bytes.len() - END.length) {
-        return Err(fault("a directory that does not reach the end", "entries, then their directory"));
-    }
-    let (mut entries, mut names) = (Vec::new(), HashSet::new());
-    let (mut place, mut offset) = (start, 0);
-    for _ in 0..count {
-        let entry = read_entry(&bytes[..bytes.len() - END.length], place, offset)?;
-        if !names.insert(entry.name) {
-            return Err(fault(format!("{} twice", quote(entry.name)), "names that differ"));
-        }
-        place += CENTRAL.length + entry.name.len();
-        offset += LOCAL.length + entry.name.len() + entry.content.len();
-        entries.push(entry);
-    }
-    if place != start + length || offset != start {
-        return Err(fault("bytes that belong to no entry", "entries without gaps"));
-    }
-    Ok(entries)
-}
-
-/// The entry whose directory entry lies at `place`, and whose content must begin with a header at `offset`.
-fn read_entry(bytes: &[u8], place: usize, offset: usize) -> Result<ZipEntry<'_>, Finding> {
-    // Both headers state the same facts. They are compared first, so that the rest is read once: the name, then the content, whose
-    // checksum is computed.
-    let central = headed(bytes, place, &CENTRAL).ok_or_else(beyond_end)?;
-    let local = headed(bytes, offset, &LOCAL).ok_or_else(beyond_end)?;
-    let (stated, repeated) = (&central[6..6 + FACTS], &local[4..4 + FACTS]);
-    if stated != repeated || number32(central, 42) != Some(offset) || central[32..34] != [0, 0] {
-        return Err(fault("an entry that its directory states otherwise", "the same facts in both"));
-    }
-    let (Some(name_length), Some(extra_length), Some(length), Some(checksum)) = (
-        number16(stated, NAME_LENGTH),
-        number16(stated, EXTRA_LENGTH),
-        number32(stated, SIZES[0]),
-        number32(stated, CHECKSUM),
-    ) else {
-        return Err(beyond_end());
-    };
-    let name_bytes = part(bytes, place + CENTRAL.length, name_length).ok_or_else(beyond_end)?;
-    let name = std::str::from_utf8(name_bytes).map_err(|_| fault("a name that is not UTF-8", "a text"))?;
-    if part(bytes, offset + LOCAL.length, name_length) != Some(name_bytes) {
-        return Err(fault(format!("{} under another name", quote(name)), "the name of the directory"));
-    }
-    let is_plain = number16(stated, FLAGS) == Some(0) && number16(stated, METHOD) == Some(0);
-    if !is_plain || extra_length != 0 || number32(stated, SIZES[1]) != Some(length) {
-        return Err(fault(format!("{}, compressed or with extras", quote(name)), "stored entries"));
-    }
-    let content = part(bytes, offset + LOCAL.length + name_length, length).ok_or_else(beyond_end)?;
-    if usize::try_from(crc32(content)) != Ok(checksum) {
-        return Err(fault(format!("{} with another checksum", quote(name)), "the stated CRC-32"));
-    }
-    Ok(ZipEntry { name, content })
-}
-
-/// The finding about an entry of which a part is missing.
-fn beyond_end() -> Finding {
-    fault("an entry beyond its end", "whole entries")
+    let stated = stated_entries(bytes).ok_or_else(|| {
+        fault("headers that are cut off or disagree", "entries without gaps, their directory, and its end")
+    })?;
+    let mut names = HashSet::new();
+    stated
+        .into_iter()
+        .map(|StatedEntry { name, content, checksum, is_stored }| {
+            let name = std::str::from_utf8(name).unwrap_or_default();
+            if name.is_empty() || !names.insert(name) {
+                return Err(fault(format!("{} twice, or not a text", quote(name)), "names that differ"));
+            }
+            if !is_stored {
+                return Err(fault(format!("{}, compressed", quote(name)), "stored entries"));
+            }
+            if usize::try_from(crc32(content)) != Ok(checksum) {
+                return Err(fault(format!("{} with another checksum", quote(name)), "the stated CRC-32"));
+            }
+            Ok(ZipEntry { name, content })
+        })
+        .collect()
 }
 
 /// A finding about the archive.
@@ -117,8 +77,55 @@ fn fault(problem: impl Into<String>, allowed: &str) -> Finding {
     Finding::new(FindingCode::BadZip, problem, allowed)
 }
 
+/// The entries of the directory; `None` if a header is cut off, or two disagree.
+///
+/// The record at the end leads to the directory, and each of its entries to a header before a content. All of them must lie one after
+/// the other: entries, directory, record.
+fn stated_entries(bytes: &[u8]) -> Option<Vec<StatedEntry<'_>>> {
+    let end_place = bytes.len().checked_sub(END.length)?;
+    let end = headed(bytes, end_place, &END)?;
+    // One disk, all entries on it, and no comment.
+    if end[4..8] != [0; 4] || end[8..10] != end[10..12] || end[20..] != [0; 2] {
+        return None;
+    }
+    let start = number32(end, 16)?;
+    let (mut entries, mut place, mut offset) = (Vec::new(), start, 0);
+    for _ in 0..number16(end, 10)? {
+        let entry = stated_entry(&bytes[..end_place], place, offset)?;
+        place += CENTRAL.length + entry.name.len();
+        offset += LOCAL.length + entry.name.len() + entry.content.len();
+        entries.push(entry);
+    }
+    let is_filled =
+        place == end_place && offset == start && start.checked_add(number32(end, 12)?)? == end_place;
+    is_filled.then_some(entries)
+}
+
+/// The entry whose directory entry lies at `place`, and whose content begins with a header at `offset`.
+fn stated_entry(bytes: &[u8], place: usize, offset: usize) -> Option<StatedEntry<'_>> {
+    let central = headed(bytes, place, &CENTRAL)?;
+    let local = headed(bytes, offset, &LOCAL)?;
+    let facts = &central[6..6 + FACTS];
+    // No comment and no extra field.
+    if *facts != local[4..4 + FACTS]
+        || number32(central, 42)? != offset
+        || central[32..34] != [0; 2]
+        || number16(facts, EXTRA_LENGTH)? != 0
+    {
+        return None;
+    }
+    let (name_length, length) = (number16(facts, NAME_LENGTH)?, number32(facts, SIZES[0])?);
+    let name = part(bytes, place + CENTRAL.length, name_length)?;
+    if part(bytes, offset + LOCAL.length, name_length)? != name {
+        return None;
+    }
+    let is_stored = facts[FLAGS..METHOD + 2] == [0; 4] && number32(facts, SIZES[1])? == length;
+    let content = part(bytes, offset + LOCAL.length + name_length, length)?;
+    Some(StatedEntry { name, content, checksum: number32(facts, CHECKSUM)?, is_stored })
+}
+
 /// The fixed part at `place` of such a header; `None` if another thing is there.
-fn headed<'a>(bytes: &'a [u8], place: usize, Header { mark, length }: &Header) -> Option<&'a [u8]> {
+fn headed<'a>(bytes: &'a [u8], place: usize, ZipHeader { mark, length }: &ZipHeader) -> Option<&'a [u8]> {
     part(bytes, place, *length).filter(|header| header.starts_with(mark))
 }
 
@@ -178,8 +185,8 @@ mod tests {
             assert!(read_zip(&bytes).is_err(), "byte {place}");
         }
         let (head, tail) = ARCHIVE.split_at(31);
-        assert_eq!(problem(&[head, b"x", tail].concat()), "a directory that does not reach the end");
-        assert_eq!(problem(b"PK"), "no record of its end");
+        assert_eq!(problem(&[head, b"x", tail].concat()), "headers that are cut off or disagree");
+        assert_eq!(problem(b"PK"), "headers that are cut off or disagree");
     }
 
     proptest! {
