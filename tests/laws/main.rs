@@ -7,6 +7,7 @@ mod geom;
 mod limits;
 mod lyon;
 mod mutants;
+mod rounded;
 mod seams;
 mod separators;
 mod shapes;

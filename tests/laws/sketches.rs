@@ -31,7 +31,7 @@ pub(crate) fn open(points: &[Point]) -> Path {
     Path::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
 
-fn polygon(points: &[Point]) -> Path {
+pub(crate) fn polygon(points: &[Point]) -> Path {
     let ends: Vec<Point> = points.iter().chain(&points[..1]).copied().collect();
     Path { closed: true, ..open(&ends) }
 }

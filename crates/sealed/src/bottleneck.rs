@@ -6,6 +6,7 @@
 use crate::doubles::quarters;
 use crate::fault::Crowd;
 use geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
+use std::cmp::Ordering;
 
 /// Directions closer to a right angle than this are right, rad.
 const RIGHT: f64 = 1e-7;
@@ -14,6 +15,13 @@ const ONE: f64 = 1e-7;
 
 /// Widths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
+/// Sides are parallel but for the rounding of a drawing if the width between them changes by at most this, mm, and by a tenth of it.
+const ROUNDED: f64 = 0.02;
+/// Largest sine of the angle between such sides.
+const SLIGHT: f64 = 0.02;
+/// Points of one curve face each other if the way between them along it is longer than this many widths. Half around a spot it is shorter,
+/// 1.57 on a circle and 1.61 on a polygon of twelve sides; so it is on steps as short as the rounding of a drawing, 1.41 at 45 degrees.
+const AROUND: f64 = 1.65;
 /// Pairs of stretches that are compared at most: a hundred thousand of them with a thousand others within reach of each.
 const MOST_PAIRS: usize = 100_000_000;
 
@@ -36,6 +44,14 @@ impl Bottleneck {
     /// The middle of it.
     pub(crate) fn middle(&self) -> Point {
         self.points[0].midpoint(self.points[1])
+    }
+
+    /// Whether its points face each other. Those of one curve do unless the curve goes from one to the other in steps, or around a spot;
+    /// `closed_length` is its length if it is closed, mm.
+    fn is_opposite(&self, closed_length: Option<f64>) -> bool {
+        let stretch = (self.stations[0] - self.stations[1]).abs();
+        let rest = closed_length.map_or(stretch, |length| length - stretch);
+        self.curves[0] != self.curves[1] || stretch.min(rest) > AROUND * self.width
     }
 }
 
@@ -108,15 +124,20 @@ pub(crate) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
             });
         });
     }
-    bottlenecks.sort_by(|a, b| {
-        let (p, q) = (a.points[0], b.points[0]);
-        // At equal widths, those inside segments come first: they are in the middle of the narrow part.
-        let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
-        let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
-        width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
-    });
+    let lengths: Vec<Option<f64>> =
+        curves.iter().map(|curve| curve.path.closed.then(|| curve.path.length())).collect();
+    bottlenecks.retain(|bottleneck| bottleneck.is_opposite(lengths[bottleneck.curves[0]]));
+    bottlenecks.sort_by(narrowest_first);
     bottlenecks.retain(|bottleneck| is_clear(&parts, &index, bottleneck));
     Ok(bottlenecks)
+}
+
+/// The order of bottlenecks. At equal widths, those inside segments come first: they are in the middle of the narrow part.
+fn narrowest_first(a: &Bottleneck, b: &Bottleneck) -> Ordering {
+    let (p, q) = (a.points[0], b.points[0]);
+    let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
+    let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
+    width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
 }
 
 /// Adds the parts of a curve, each of a quarter turn at most.
@@ -261,19 +282,23 @@ fn on_arc(arc: &Arc, way: Vec2) -> Option<Point> {
 fn inner_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
     match (a, b) {
         (Segment::Line(p), Segment::Line(q)) => {
-            if p.direction().cross(q.direction()).abs() > RIGHT {
-                return;
-            }
             let (t, u) = (p.nearest_fraction(q.start), p.nearest_fraction(q.end));
-            if (t - u).abs() * p.length() > ONE {
-                let middle = p.start.lerp(p.end, f64::midpoint(t, u));
-                see(middle, q.start.lerp(q.end, q.nearest_fraction(middle)));
+            let (slope, shared) = (p.direction().cross(q.direction()).abs(), (t - u).abs() * p.length());
+            let middle = p.start.lerp(p.end, f64::midpoint(t, u));
+            let foot = q.start.lerp(q.end, q.nearest_fraction(middle));
+            if shared > ONE && slope <= SLIGHT && is_rounding(slope * shared, middle, foot) {
+                see(middle, foot);
             }
         }
         (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, see),
         (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| see(q, p)),
         (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, see),
     }
+}
+
+/// Whether the width between `p` and `q` is all along the same but for the rounding of a drawing, if it changes by `change` mm.
+fn is_rounding(change: f64, p: Point, q: Point) -> bool {
+    change <= RIGHT.max(ROUNDED.min(0.1 * p.distance(q)))
 }
 
 fn line_arc(line: &Line, arc: &Arc, see: &mut impl FnMut(Point, Point)) {
@@ -291,14 +316,17 @@ fn line_arc(line: &Line, arc: &Arc, see: &mut impl FnMut(Point, Point)) {
 
 fn arc_arc(a: &Arc, b: &Arc, see: &mut impl FnMut(Point, Point)) {
     let way = b.center - a.center;
-    if way.length() <= ONE {
-        // Along circles around one centre all widths are alike: the middle of the facing part.
+    if way.length() <= ROUNDED {
+        // Along circles around one centre, as exactly as it is drawn, all widths are alike: the middle of the facing part.
         let ends = [b.start(), b.at_angle(b.start_angle + b.sweep / 2.0), b.end()];
         if let Some(p) = ends.iter().find_map(|end| on_arc(a, *end - a.center))
             && let Some(q) = on_arc(b, p - b.center)
+            && is_rounding(way.length(), p, q)
         {
             see(p, q);
         }
+    }
+    if way.length() <= ONE {
         return;
     }
     for p in [way, -way].into_iter().filter_map(|way| on_arc(a, way)) {

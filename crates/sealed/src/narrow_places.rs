@@ -11,6 +11,9 @@ const SLANT: f64 = 1.1;
 /// Looks across a narrow stretch, for each of its limits in length: a pouch shorter than an eighth of the limit does not part two places.
 const LOOKS: f64 = 8.0;
 
+/// Bottlenecks whose middles are nearer are at one place, mm.
+const AT_ONE_PLACE: f64 = 1e-6;
+
 /// Where a bottleneck touches a curve.
 struct NarrowContact {
     curve: usize,
@@ -50,7 +53,11 @@ pub(crate) fn narrow_places(
         let closing = round.map(|(last, first)| (last, first, path.length()));
         for (a, b, more) in side.windows(2).map(|pair| (&pair[0], &pair[1], 0.0)).chain(closing) {
             let is_apart = !places.are_united(a.bottleneck, b.bottleneck);
-            if is_apart && is_narrow(&segments, a, b.station + more, limit * SLANT) {
+            let [place, next_place] = [a, b].map(|contact| bottlenecks[contact.bottleneck].middle());
+            if is_apart
+                && (place.distance(next_place) <= AT_ONE_PLACE
+                    || is_narrow(&segments, a, b.station + more, limit * SLANT))
+            {
                 places.unite(a.bottleneck, b.bottleneck);
             }
         }
