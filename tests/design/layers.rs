@@ -266,6 +266,15 @@ fn proposals_can_be_sealed() {
             ("hose", LayerRole::Port),
         ],
     );
+    // Points are no curves, whatever the name of their layer.
+    for name in ["drill", "holes", "cut marks", "weld spots", "air"] {
+        let points = layer(CLOSED_EDGE, "outer")
+            + &format!("0|POINT|8|{name}|10|60|20|50|0|POINT|8|{name}|10|90|20|50|");
+        assert_roles(
+            &proposed("a.dxf", &one_layer(&points, &layer(HOSE, "hose"))),
+            &[("outer", LayerRole::Air), (name, LayerRole::Ignore), ("hose", LayerRole::Port)],
+        );
+    }
     let point = layer(CLOSED_EDGE, "outer") + "0|POINT|8|place|10|20|20|50|";
     assert_roles(
         &proposed("a.dxf", &one_layer(&point, "")),

@@ -121,6 +121,11 @@ fn suited(
     let figure = |number: &usize| &drawing.elements[*number].figure;
     let is_point = |number: &usize| matches!(figure(number), Figure::Point(_));
     match named {
+        Some(LayerRole::Hole | LayerRole::Cut | LayerRole::Seam | LayerRole::Air)
+            if layer.elements.iter().all(is_point) =>
+        {
+            (LayerRole::Ignore, format!("points, and its name is that of curves; {figures}"))
+        }
         Some(role) => (role, format!("by its name; {figures}")),
         None if layer.name == "fill #ffffff" && !is_alone => {
             (LayerRole::Ignore, format!("a white background; {figures}"))
