@@ -12,7 +12,7 @@ use forecast::ranges::shown::{self, or_unknown, rounded, with_limit};
 use forecast::tone::Tone;
 use forecast::verdict::of_stars;
 use spec::key;
-use spec::units::Length;
+use spec::units::{Length, Pressure};
 
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {
@@ -28,7 +28,7 @@ pub fn in_words(forecast: &Forecast) -> String {
     };
     let diameter_text = |radius: Length| format!(", {} across,", Length(2.0 * radius.0));
     let object = load.object_radius.map_or_else(String::new, diameter_text);
-    let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let pressure = load.pressure.map_or_else(String::new, at_pressure);
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
     let mass = load.mass.map(|mass| mass.0);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
@@ -41,6 +41,11 @@ pub fn in_words(forecast: &Forecast) -> String {
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
     let remarks: String = verdict.remarks().into_iter().flat_map(|text| ["; ".to_owned(), text]).collect();
     format!("{}{object}{pressure}{payload}{remarks}{reasons}", verdict.line())
+}
+
+/// The words for a pressure, with as many digits as a person compares.
+fn at_pressure(pressure: Pressure) -> String {
+    format!(" at {} kPa", rounded(pressure.0))
 }
 
 /// What can be made of a drawing: the seams and the size of a piece, the time of all programs.
@@ -60,7 +65,7 @@ fn sealable(forecast: &Forecast) -> String {
         return format!("can be sealed: {making}{inflate}");
     }
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
-    let pressure_text = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let pressure_text = pressure.map_or_else(String::new, at_pressure);
     let burst = forecast.drawn.as_ref().and_then(|drawn| drawn.prediction.burst_pressure_kPa);
     let strength = if burst.is_none() { "; the burst pressure is unknown" } else { "" };
     format!("inflates {}{pressure_text}{strength}; {making}", sizes.join("; "))
@@ -108,7 +113,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
         return vec![("predicts", format!("no inflated size: {}", prediction.evidence.choice))];
     }
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
-    let pressure_text = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let pressure_text = pressure.map_or_else(String::new, at_pressure);
     let mut rows = vec![("inflates", format!("{}{pressure_text}", sizes.join("; ")))];
     if let Some((burst, range)) = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa) {
         let times = prediction

@@ -376,6 +376,8 @@ fn units_are_kept() {
     for value in ["\"3 in\"", "\"6 oz\"", "\"7 psi\"", "\"9000 mN\""] {
         assert!(spec.contains(value), "{value}: {spec}");
     }
+    let verdict = text(&run(dir.path(), &["check", "wish.toml"]).stdout);
+    assert!(verdict.contains(" at 48.3 kPa"), "{verdict}");
     let heavy = ["new", "heavy", "--object", "3 in", "--mass", "600 oz", "--pressure", "7 psi"];
     let said = text(&run(dir.path(), &heavy).stderr);
     assert!(said.contains(" oz of the 600 oz") && said.contains(" oz\" --pressure \"7 psi\""), "{said}");
