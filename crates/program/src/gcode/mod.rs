@@ -152,7 +152,9 @@ impl<'a> Job<'a> {
             }
             Step::Seal(pieces) => {
                 self.writer.set_beam(self.beam);
-                pieces.iter().for_each(|piece| self.seal(piece, None));
+                for piece in pieces {
+                    self.seal(piece, None);
+                }
             }
             Step::Trace(pieces) => {
                 for piece in pieces {

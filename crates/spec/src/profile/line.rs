@@ -94,11 +94,10 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
         names.extend(match (command, part) {
             (Command::Pause, LinePart::Pause) | (Command::End, LinePart::End) => Some(code),
             (_, LinePart::Pause) => None,
-            (Command::BeamOff, _) => Some(code),
             (Command::HeatOnly, _) => Some(format!("{code} S0")),
             (Command::Setting, _) if code == "M203" => Some("M203 I..".to_owned()),
             (Command::Setting, _) if code == "M205" => Some("M205 S.. T..".to_owned()),
-            (Command::Setting, _) => Some(code),
+            (Command::Setting | Command::BeamOff, _) => Some(code),
             (mode, _) if is_mode(mode) => Some(code),
             _ => None,
         });

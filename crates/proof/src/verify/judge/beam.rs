@@ -82,7 +82,7 @@ impl<'a> BeamJudge<'a> {
         }
         match phase {
             Phase::Clear => {
-                self.must_be_off(FindingCode::BeamInTravel, step.line, "at travel height", findings)
+                self.must_be_off(FindingCode::BeamInTravel, step.line, "at travel height", findings);
             }
             Phase::Down | Phase::Up => {
                 let place = format!("at Z{:.3} to Z{:.3}", step.from.z, step.to.z);
@@ -118,7 +118,7 @@ impl Judge for BeamJudge<'_> {
                     );
                 }
                 Event::Dwell(dwell) => {
-                    self.must_be_off(FindingCode::BeamAtRest, dwell.line, "in a wait", findings)
+                    self.must_be_off(FindingCode::BeamAtRest, dwell.line, "in a wait", findings);
                 }
                 Event::Pause(pause) if self.beam.mode != BeamMode::Off => {
                     let fault = "a pause while the laser is armed";
