@@ -62,7 +62,7 @@ async function moved(page, what) {
     const { status, stdout } = spawnSync(tool, ["verify", join(dir, `${folder}-aligned`), "--json"], { encoding: "utf8" });
     must(status === 0, `${what}: the aligned build ends with ${status}: ${stdout.slice(0, 400)}`);
     const note = await page.innerText("#moved-note");
-    must(/^Turned by -?0\.000 deg, shifted by X 2\.00 Y 1\.00 mm/.test(note), `${what}: the motion is ${note}`);
+    must(/^Turned by -?0\.00 deg, shifted by X 2\.00 Y 1\.00 mm/.test(note), `${what}: the motion is ${note}`);
     await beside(page, "text");
     await page.fill("#spec", before);
     await ready(page);

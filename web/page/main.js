@@ -191,7 +191,7 @@ async function start() {
     byId("machine").append(...options());
     byId("object-machine").append(...options());
     byId("object-machine").value = "generic";
-    byId("about").textContent = `Version ${version}. Everything runs in this page; nothing leaves your machine. Predictions have ranges: test your seal before you trust it.`;
+    byId("about").textContent = `Version ${version}. Nothing leaves your machine. Predictions have ranges: test your seal before you trust it.`;
     form = new Form(schema, { change, settle: () => desk.settle() });
     const go = listenHistory();
     editor = new Editor({ typed: (text) => desk.change({ text }, "typing"), settle: () => desk.settle(), explain: (code) => program.ask({ ask: "explain", code }, { lane: `explain ${code}`, isPatient: true }), undo: go });

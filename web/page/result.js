@@ -43,11 +43,11 @@ export class Result {
     listenMoved(ask) {
         byId("moved-form").addEventListener("submit", async (event) => {
             event.preventDefault();
-            const marks = Object.fromEntries(new FormData(event.target));
-            const answer = await ask({ ...marks, sheet: Number(byId("sheets").value) + 1 }, this.#files);
+            const answer = await ask({ ...Object.fromEntries(new FormData(event.target)), sheet: Number(byId("sheets").value) + 1 }, this.#files);
             if (!answer) return;
             const { reason, motion, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
-            byId("moved-note").textContent = reason ?? `Turned by ${motion.turn_deg.toFixed(3)} deg, shifted by X ${motion.shift_mm[0].toFixed(2)} Y ${motion.shift_mm[1].toFixed(2)} mm; the marks are ${motion.stretch_mm.toFixed(2)} mm off their distance.`;
+            const fixed = motion && [motion.turn_deg, ...motion.shift_mm].map((number) => number.toFixed(2));
+            byId("moved-note").textContent = reason ?? `Turned by ${fixed[0]} deg, shifted by X ${fixed[1]} Y ${fixed[2]} mm.`;
             if (motion) save(`${folder}.zip`, zipped(folder, files));
         });
     }

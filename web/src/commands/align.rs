@@ -14,7 +14,7 @@ fn read(question: &Value, name: &str) -> Result<Point, Value> {
     mark.map_err(|allowed| json!({ "reason": format!("{name}: write {allowed}") }))
 }
 
-/// The proven build of the programs of `files` for a sheet that was moved, with its turn, shift and the error of the marks' distance.
+/// The proven build of the programs of `files` for a sheet that was moved, with its turn and its shift.
 ///
 /// # Errors
 /// The `reason` for which there is none: a mark that cannot be read, or a sheet that cannot lie there.
@@ -28,7 +28,7 @@ pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<M
     let alignment = proven.built().forecast.design.alignment;
     let motion = alignment.map(|alignment| {
         let (turn, shift) = (alignment.motion.rotation.to_degrees(), alignment.motion.shift);
-        json!({ "turn_deg": turn, "shift_mm": [shift.x, shift.y], "stretch_mm": alignment.stretch })
+        json!({ "turn_deg": turn, "shift_mm": [shift.x, shift.y] })
     });
     let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
     Ok(Message { json: json!({ "motion": motion }), files })
