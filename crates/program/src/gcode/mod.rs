@@ -150,12 +150,7 @@ impl<'a> Job<'a> {
                     self.writer.beam_off();
                 }
             }
-            Step::Seal(pieces) => {
-                self.writer.set_beam(self.beam);
-                for piece in pieces {
-                    self.seal(piece, None);
-                }
-            }
+            Step::Seal(pieces) => self.seal_run(pieces),
             Step::Trace(pieces) => {
                 for piece in pieces {
                     self.writer.cut(piece, None, process.trace_speed.0);
@@ -238,6 +233,14 @@ impl<'a> Job<'a> {
         self.writer.comment(&format!("cool: time_s={}", number(wait.0)));
         let unit = self.writer.facts.controller.dwell.unit;
         self.writer.line(&self.writer.spelling.dwell(unit, wait.0));
+    }
+
+    /// A seam between its ways down and up: of a laser with power.
+    fn seal_run(&mut self, pieces: &[Segment]) {
+        self.writer.set_beam(self.beam);
+        for piece in pieces {
+            self.seal(piece, None);
+        }
     }
 
     /// One piece in contact, or on the way down or up, in as many strokes as the pace makes of it.
