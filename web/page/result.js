@@ -45,10 +45,9 @@ export class Result {
             event.preventDefault();
             const answer = await ask({ ...Object.fromEntries(new FormData(event.target)), sheet: Number(byId("sheets").value) + 1 }, this.#files);
             if (!answer) return;
-            const { reason, motion, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
-            const fixed = motion && [motion.turn_deg, ...motion.shift_mm].map((number) => number.toFixed(2));
-            byId("moved-note").textContent = reason ?? `Turned by ${fixed[0]} deg, shifted by X ${fixed[1]} Y ${fixed[2]} mm.`;
-            if (motion) save(`${folder}.zip`, zipped(folder, files));
+            const { reason, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
+            byId("moved-note").textContent = reason ?? "Proven where the sheet lies now.";
+            if (!reason) save(`${folder}.zip`, zipped(folder, files));
         });
     }
 

@@ -10,11 +10,15 @@ use crate::question::text;
 
 /// The mark under `name`.
 fn read(question: &Value, name: &str) -> Result<Point, Value> {
-    let mark = read_mark(text(question, name).unwrap_or_default());
-    mark.map_err(|allowed| json!({ "reason": format!("{name}: write {allowed}") }))
+    read_mark(text(question, name).unwrap_or_default()).map_err(refused)
 }
 
-/// The proven build of the programs of `files` for a sheet that was moved, with its turn and its shift.
+/// The answer without files.
+fn refused(reason: String) -> Value {
+    json!({ "reason": reason })
+}
+
+/// The proven build of the programs of `files` for a sheet that was moved. Their heads state its motion.
 ///
 /// # Errors
 /// The `reason` for which there is none: a mark that cannot be read, or a sheet that cannot lie there.
@@ -24,12 +28,7 @@ pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<M
     let mut build = OutputFiles { files: files.collect(), ..OutputFiles::default() };
     build.files.sort();
     let sheet = question["sheet"].as_u64().and_then(|number| usize::try_from(number).ok());
-    let proven = aligned(&build, sheet, marks).map_err(|fault| json!({ "reason": fault.to_string() }))?;
-    let alignment = proven.built().forecast.design.alignment;
-    let motion = alignment.map(|alignment| {
-        let (turn, shift) = (alignment.motion.rotation.to_degrees(), alignment.motion.shift);
-        json!({ "turn_deg": turn, "shift_mm": [shift.x, shift.y] })
-    });
+    let proven = aligned(&build, sheet, marks).map_err(|fault| refused(fault.to_string()))?;
     let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
-    Ok(Message { json: json!({ "motion": motion }), files })
+    Ok(Message { json: json!({}), files })
 }
