@@ -76,7 +76,7 @@ fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, least_overlap: f64) -> Result
     let spare = if record.joins_moves() { record.seal.band.0 } else { 0.0 };
     let back = least_overlap + record.process.ramp.0 + spare;
     let (mut way, mut overlap) = (String::new(), 0.0);
-    let line = match Window::new(toolpath, stop, back).ok_or(ResumeFault::NothingLeft)? {
+    let line = match Window::enclosing(toolpath, stop, back).ok_or(ResumeFault::NothingLeft)? {
         Next::Within(window) => {
             let (start, line) =
                 approach(toolpath, &window, (window.done - least_overlap).max(0.0), &mut way)?;

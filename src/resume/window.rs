@@ -30,7 +30,7 @@ pub(super) struct Window {
 
 impl Window {
     /// The moves around `stop`, from `back` mm before it; `None` if nothing is left.
-    pub(super) fn new(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
+    pub(super) fn enclosing(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
         // On the way up all of the seam has been sealed, overlap and all: the next one follows.
         let in_contact = stop.phase == Phase::Contact;
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
