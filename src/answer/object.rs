@@ -1,5 +1,6 @@
 //! From an object to the spec of a gripper that holds it, checked as by `check`.
 
+use geom::order::sort_by_key;
 use serde_json::{Value, json};
 
 use crate::answer::duration::{sealing_in_words, sealing_time};
@@ -326,7 +327,7 @@ impl Request {
                     })
                     .collect();
                 // Those that certainly hold the object come first.
-                near_requests.sort_by_key(|request| !request.gripper.surely_holds());
+                sort_by_key(&mut near_requests, |request| !request.gripper.surely_holds());
                 let width = self.object.quantity;
                 let unit = (!USUAL_SIZES.contains(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));

@@ -5,6 +5,7 @@
 //! strongest. Fewer than three specimens of a setting, or a spread above a quarter, support no choice. Without a required strength there is
 //! none either, because even the weakest seal would pass.
 
+use geom::order::sort_by;
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -357,7 +358,7 @@ fn warning(speed: f64) -> String {
 /// The settings as a printed table, the fastest first; every line begins with "# ", as a comment of a spec.
 pub fn listing(settings: &[Calibration]) -> String {
     let mut sorted: Vec<&Calibration> = settings.iter().collect();
-    sorted.sort_by(|a, b| b.setting.pace.haste().total_cmp(&a.setting.pace.haste()));
+    sort_by(&mut sorted, |a, b| b.setting.pace.haste().total_cmp(&a.setting.pace.haste()));
     let pace_heads = match sorted.first().map(|c| c.setting.pace) {
         Some(ToolPace::Press { .. }) => "time/s  temperature/C",
         Some(ToolPace::Laser { .. }) => "speed/(mm/s)        power/%   focus/mm",

@@ -9,6 +9,7 @@ mod pressed;
 use crate::manifest::bill::thousandths;
 use design::{Design, FlatPiece, StarAssembly};
 use forecast::prediction::Prediction;
+use geom::order::sort_by_key;
 use program::plan::{Program, SeamReport};
 use sealed::{PieceName, SeamName};
 use spec::{MaskKind, Spec};
@@ -78,7 +79,7 @@ fn stars(spec: &Spec, assembly: &StarAssembly, programs: &[Program]) -> Vec<Mani
     for program in programs {
         stars.extend(program.numbers().into_iter().filter_map(|index| star(spec, assembly, program, index)));
     }
-    stars.sort_by_key(|star| star.index);
+    sort_by_key(&mut stars, |star| star.index);
     stars
 }
 

@@ -5,6 +5,7 @@
 //! that of the pieces. Passes of open seams go there and back, those of closed ones always the same way.
 
 use crate::{CutEdge, Design, Drawing, Layer, PlacedPart, SeamLines};
+use geom::order::sort_by;
 use geom::{Isometry, Path, Segment};
 use sealed::{LaidSeam, PieceName, PlacedPiece, Seam};
 use spec::units::{Duration, Temperature};
@@ -146,7 +147,7 @@ impl SealJob {
     /// The job with its contacts sorted by temperature; of equal ones the order stays.
     fn sorted(self) -> Self {
         let Self { processes, mut contacts } = self;
-        contacts.sort_by(|a, b| {
+        sort_by(&mut contacts, |a, b| {
             let [a, b] = [a, b].map(|contact| processes[contact.process].seal.temperature.0);
             a.total_cmp(&b)
         });

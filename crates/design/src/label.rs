@@ -2,6 +2,7 @@
 //!
 //! The text runs around a tip, tops outwards, where no inlet and no registration hole is in the way.
 
+use geom::order::sort_by;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::{DrawnPiece, MaskPlate, PlacedPart, StarDesign, lettering};
@@ -108,7 +109,7 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
         })
         .filter(|(turn, wide)| turn.abs() < half + wide)
         .collect();
-    holes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut holes, |a, b| a.0.total_cmp(&b.0));
     let mut from = -half;
     let mut best: Option<Stretch> = None;
     for (turn, wide) in holes.into_iter().chain([(half, 0.0)]) {

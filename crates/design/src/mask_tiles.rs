@@ -5,6 +5,7 @@
 //! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
 //! registration holes come with the tips and the middle that they lie in.
 
+use geom::order::sort_by;
 use std::cell::OnceCell;
 
 use crate::joint::{JointCut, RADII};
@@ -287,7 +288,7 @@ impl LargeMask {
 pub(super) fn divide_masks(parts: &mut [StarDesign], bed: Bed) -> Result<(), Refusal> {
     let mut order: Vec<usize> = (0..parts.len()).collect();
     let widths: Vec<f64> = parts.iter().map(|part| part.mask.plate.bounds().width()).collect();
-    order.sort_by(|a, b| widths[*b].total_cmp(&widths[*a]));
+    sort_by(&mut order, |a, b| widths[*b].total_cmp(&widths[*a]));
     let mut roomy_bed = bed;
     let mut largest: Option<LargeMask> = None;
     for number in order {

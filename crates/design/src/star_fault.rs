@@ -4,6 +4,7 @@
 //! single change, and points at the key whose value is **farthest out of line**, as a
 //! ratio to the paper's star.
 
+use geom::order::sort_by_key;
 use std::f64::consts::PI;
 
 use crate::{Refusal, RefusalCode};
@@ -67,7 +68,7 @@ fn remedy(spec: &StarSpec, half: f64, first: Option<(KeyPath, String)>) -> (KeyP
     let blamed = first.as_ref().map(|(key, _)| *key).or(worst).unwrap_or(key::star::INNER_RADIUS);
     changes.extend(first);
     // The one that the caret shows comes first.
-    changes.sort_by_key(|(key, _)| *key != blamed);
+    sort_by_key(&mut changes, |(key, _)| *key != blamed);
     let words: Vec<String> = changes.iter().map(|(key, change)| format!("{} {change}", key.key())).collect();
     let remedy = match words.as_slice() {
         [] => "no single change is enough: make inner_radius larger and tube_width smaller".to_owned(),

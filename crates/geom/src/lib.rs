@@ -13,6 +13,7 @@ mod index;
 mod intersect;
 mod line;
 mod nearest;
+pub mod order;
 mod path;
 mod point;
 pub mod readable;

@@ -5,6 +5,7 @@
 
 use crate::doubles::quarters;
 use crate::fault::Crowd;
+use geom::order::sort_by;
 use geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 use std::cmp::Ordering;
 
@@ -127,7 +128,7 @@ pub(crate) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
     let lengths: Vec<Option<f64>> =
         curves.iter().map(|curve| curve.path.closed.then(|| curve.path.length())).collect();
     bottlenecks.retain(|bottleneck| bottleneck.is_opposite(lengths[bottleneck.curves[0]]));
-    bottlenecks.sort_by(narrowest_first);
+    sort_by(&mut bottlenecks, narrowest_first);
     bottlenecks.retain(|bottleneck| is_clear(&parts, &index, bottleneck));
     Ok(bottlenecks)
 }

@@ -4,6 +4,7 @@ use crate::bands::{Band, Bands};
 use crate::fault::{Quoted, ShapeCode, ShapeFault, ShapeWarning};
 use crate::segments::Segments;
 use crate::sketch::Rules;
+use geom::order::sort_by;
 use geom::{Path, Point, Segment};
 
 /// Faults of sharp corners of welds and walls whose legs, as far as both go, are never a band from each other. Legs shorter than the band
@@ -124,7 +125,7 @@ fn unsealed_places(edge: &Path, bands: &Bands, segments: &Segments, rules: &Rule
 
 /// The longest of unsealed places near each other, each with the number of further ones that lie half a band apart.
 fn separate_places(mut places: Vec<UnsealedPlace>, rules: &Rules) -> Vec<(UnsealedPlace, usize)> {
-    places.sort_by(|a, b| b.length.total_cmp(&a.length));
+    sort_by(&mut places, |a, b| b.length.total_cmp(&a.length));
     let mut groups: Vec<Vec<UnsealedPlace>> = Vec::new();
     for place in places {
         let group = groups.iter_mut().find(|group| group[0].place.distance(place.place) <= APART);

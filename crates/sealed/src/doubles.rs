@@ -1,5 +1,6 @@
 //! Curves that are **drawn twice**: a stretch along another curve is left out, and each stretch counts once.
 
+use geom::order::{sort_by, sort_by_key};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -107,9 +108,11 @@ pub(crate) fn without_doubles(pieces: Vec<Piece>, join: f64) -> Result<(Vec<Piec
     if stretches.is_empty() {
         return Ok((pieces, doubled));
     }
-    doubled.sort_by_key(|doubled| doubled.sources);
+    sort_by_key(&mut doubled, |doubled| doubled.sources);
     doubled.dedup_by_key(|doubled| doubled.sources);
-    stretches.sort_by(|a, b| (a.piece, a.segment).cmp(&(b.piece, b.segment)).then(a.from.total_cmp(&b.from)));
+    sort_by(&mut stretches, |a, b| {
+        (a.piece, a.segment).cmp(&(b.piece, b.segment)).then(a.from.total_cmp(&b.from))
+    });
     let remainder = pieces.into_iter().enumerate().flat_map(|(number, piece)| {
         let first = stretches.partition_point(|stretch| stretch.piece < number);
         let end = stretches.partition_point(|stretch| stretch.piece <= number);

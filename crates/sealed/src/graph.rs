@@ -1,5 +1,6 @@
 //! Plane graphs: the walks around the faces between edges, and **disjoint sets** of numbers that are united pair by pair.
 
+use geom::order::sort_by;
 use geom::{Path, Point};
 
 /// An edge of a plane graph.
@@ -96,7 +97,7 @@ fn sort_by_direction(edges: &[GraphEdge<'_>], travels: &mut Vec<EdgeTravel>) {
     let length = lengths.fold(1.0, f64::min) / 3.0;
     let mut by_angle: Vec<(f64, EdgeTravel)> =
         travels.iter().map(|travel| (travel.angle(edges, length), *travel)).collect();
-    by_angle.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort_by(&mut by_angle, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     *travels = by_angle.into_iter().map(|(_, travel)| travel).collect();
 }
 

@@ -4,6 +4,7 @@ use crate::fault::{Quoted, ShapeCode, ShapeFault, named};
 use crate::network::{Network, network};
 use crate::pieces::Piece;
 use crate::segments::{PathSegment, Segments};
+use geom::order::sort_by;
 use geom::{Bounds, BoxIndex, Path, Point, Segment, intersections};
 
 /// Ends farther apart than this are two ends, not a gap, mm.
@@ -135,7 +136,7 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64) -> Vec<S
             }
         });
     }
-    list.sort_by(|a, b| {
+    sort_by(&mut list, |a, b| {
         let (p, q) = (a.place, b.place);
         a.edges.cmp(&b.edges).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y))
     });

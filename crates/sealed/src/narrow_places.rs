@@ -3,6 +3,7 @@
 use crate::bottleneck::{Bottleneck, GapCurve};
 use crate::graph::DisjointSets;
 use crate::segments::Segments;
+use geom::order::sort_by;
 use geom::{Line, Point, Segment, Vec2, intersections};
 
 /// How much longer than the limit the way across may be, along a normal of one curve, where the place is narrower than the limit:
@@ -42,7 +43,7 @@ pub(crate) fn narrow_places(
         .enumerate()
         .flat_map(|(number, bottleneck)| contacts(number, bottleneck, &segments))
         .collect();
-    contacts.sort_by(|a, b| {
+    sort_by(&mut contacts, |a, b| {
         (a.curve, a.is_left).cmp(&(b.curve, b.is_left)).then(a.station.total_cmp(&b.station))
     });
     let mut places = DisjointSets::new(bottlenecks.len());

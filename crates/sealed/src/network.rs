@@ -4,6 +4,7 @@
 use crate::graph::DisjointSets;
 use crate::pieces::{NOTHING, Piece, with_end, with_start};
 use crate::segments::{PathSegment, Segments};
+use geom::order::sort_by;
 use geom::{Bounds, BoxIndex, Path, Point};
 
 /// Ends nearer than this meet exactly, mm.
@@ -126,7 +127,7 @@ fn network_within(pieces: &[Piece], join: f64) -> Network {
             next += 2;
             [groups.group_of[next - 2], groups.group_of[next - 1]]
         });
-        cuts.sort_by(|a, b| a.station.total_cmp(&b.station));
+        sort_by(cuts, |a, b| a.station.total_cmp(&b.station));
         parts.extend(split(piece, end_nodes, cuts, &nodes, join));
     }
     Network { edges: chained(&parts, nodes.len()), nodes, closed_gaps }

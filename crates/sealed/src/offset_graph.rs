@@ -5,6 +5,7 @@
 
 use crate::graph::DisjointSets;
 use crate::pieces::{NOTHING, with_end, with_start};
+use geom::order::sort_by;
 use geom::{Arc, Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
 
 /// Points nearer than this are one, mm: a hundredth of the finest `path`. A joint is tangent whose parallels miss each other by less.
@@ -143,7 +144,7 @@ impl OffsetGraph {
             let [start, end] = [stops[0], stops[1]];
             let mut inner = stops.split_off(2);
             inner.retain(|(_, node)| *node != start.1 && *node != end.1);
-            inner.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by(&mut inner, |a, b| a.0.total_cmp(&b.0));
             let stops = [&[start][..], &inner, &[end]].concat();
             for pair in stops.windows(2) {
                 let [(from, a), (to, b)] = [pair[0], pair[1]];

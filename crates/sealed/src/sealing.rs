@@ -15,6 +15,7 @@ use crate::sketch::{Rules, Sketch};
 use crate::unsound::unsound_chambers;
 use crate::valve::placed_valves;
 use crate::{AirSide, Port, Role, SealedShape, Seam};
+use geom::order::sort_by_key;
 use geom::{Path, Point};
 
 /// A sketch that can be sealed.
@@ -105,7 +106,7 @@ fn all_bands(
 /// The ports of a shape, in the order of the drawn ones.
 fn placed_ports(mouths: &[Mouth]) -> Vec<Port> {
     let mut mouths = mouths.to_vec();
-    mouths.sort_by_key(|mouth| mouth.port);
+    sort_by_key(&mut mouths, |mouth| mouth.port);
     mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
 }
 

@@ -7,6 +7,7 @@ use crate::mouth::Mouth;
 use crate::offset_graph::merged;
 use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
 use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
+use geom::order::sort_by_key;
 use geom::{Line, Path, Point, Segment, SegmentIndex, Vec2, intersections};
 
 /// The air of a sketch: its edges and the seams inside.
@@ -94,7 +95,7 @@ impl AirSide {
             length: mouth.length,
         };
         let mut tongues: Vec<Tongue> = self.mouths.iter().map(tongue).collect();
-        tongues.sort_by_key(|tongue| tongue.port);
+        sort_by_key(&mut tongues, |tongue| tongue.port);
         tongues
     }
 

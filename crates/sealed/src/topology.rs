@@ -11,6 +11,7 @@ use crate::network::{Network, network};
 use crate::pieces::Piece;
 use crate::regions::side_points;
 use crate::{Role, SealedShape};
+use geom::order::sort_by_key;
 use geom::{Enclosures, Line, Path, Point};
 
 /// Gaps below this are rounding, mm.
@@ -85,7 +86,7 @@ impl SealedShape {
         let joints = Joints::new(self);
         let leaks = self.leaks(&joints);
         let mut faces = self.chambers(&joints);
-        faces.sort_by_key(|(chamber, _)| chamber.outside);
+        sort_by_key(&mut faces, |(chamber, _)| chamber.outside);
         let (chambers, insides) = faces.into_iter().unzip();
         Topology { chambers, insides, leaks }
     }

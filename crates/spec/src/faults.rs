@@ -1,5 +1,6 @@
 //! All faults of one text, in order; the faults of bytes that are no text.
 
+use geom::order::sort_by_key;
 use std::fmt;
 
 use crate::fault::{Fault, Severity};
@@ -21,7 +22,7 @@ impl Faults {
             let end = boundary(&source.text, fault.span.end);
             fault.span = boundary(&source.text, fault.span.start).min(end)..end;
         }
-        list.sort_by_key(|fault| (fault.span.start, fault.span.end));
+        sort_by_key(&mut list, |fault| (fault.span.start, fault.span.end));
         Self { source: source.clone(), list }
     }
 

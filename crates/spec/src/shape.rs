@@ -1,6 +1,7 @@
 //! The values that a key takes, as the reader states when it takes them: the schema is made of this, so that the two cannot
 //! disagree.
 
+use geom::order::sort_by_key;
 use serde_json::{Map, Value, json};
 
 use crate::allowed::Allowed;
@@ -115,7 +116,7 @@ impl ValueShape {
 /// Units as a pattern; the longest first, so that no unit hides another that begins with it.
 fn alternatives(kind: QuantityKind) -> String {
     let mut units: Vec<&str> = kind.units.iter().map(|(name, _)| *name).collect();
-    units.sort_by_key(|unit| std::cmp::Reverse(unit.len()));
+    sort_by_key(&mut units, |unit| std::cmp::Reverse(unit.len()));
     units.join("|").replace('^', r"\^")
 }
 

@@ -6,6 +6,7 @@ use crate::message::header;
 use crate::product::ProductKind;
 use crate::units::{Length, Quantity};
 use crate::value::{RawEntry, RawKind, RawTable, RawValue};
+use geom::order::sort_by_key;
 use std::ops::Range;
 
 /// A section that was read: its keys and its content in the text.
@@ -39,7 +40,7 @@ pub(super) fn faults(sections: &[Known<'_>]) -> Vec<Fault> {
         !is_section && !one.keys.contains(&entry.key.as_str())
     };
     let mut unknown: Vec<_> = entries.filter(is_unknown).collect();
-    unknown.sort_by_key(|(_, entry)| entry.key_span.start);
+    sort_by_key(&mut unknown, |(_, entry)| entry.key_span.start);
     let fault = |(i, (one, entry))| fault(one, entry, sections, i < HINTED);
     unknown.into_iter().enumerate().map(fault).collect()
 }

@@ -1,5 +1,6 @@
 //! Values as they were written, each with its place.
 
+use geom::order::sort_by;
 use std::ops::Range;
 
 use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
@@ -111,7 +112,7 @@ impl From<&DeTable<'_>> for RawTable {
             RawEntry { key: text.to_string(), key_span: key.span(), value: value.into() }
         };
         let mut entries: Vec<RawEntry> = table.iter().map(entry).collect();
-        entries.sort_by(|a, b| a.key.cmp(&b.key));
+        sort_by(&mut entries, |a, b| a.key.cmp(&b.key));
         Self(entries)
     }
 }

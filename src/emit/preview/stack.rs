@@ -1,5 +1,6 @@
 //! The whole stack: from above, flat and shut, and from the side, to scale, beside the first sheet.
 
+use geom::order::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use crate::emit::picture::{Anchor, Group, Text};
@@ -257,7 +258,7 @@ const CHORDS: u32 = 36;
 
 /// The labels, bottom to top, without those that would touch the one before.
 fn spaced(mut labels: Vec<(String, f64)>, style: Style) -> Vec<(String, f64)> {
-    labels.sort_by(|a, b| a.1.total_cmp(&b.1));
+    sort_by(&mut labels, |a, b| a.1.total_cmp(&b.1));
     let mut last = f64::NEG_INFINITY;
     labels.retain(|(_, z)| {
         let room = z - last >= 1.1 * style.unit;

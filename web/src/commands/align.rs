@@ -10,11 +10,11 @@ use crate::question::text;
 
 /// The mark under `name`.
 fn read(question: &Value, name: &str) -> Result<Point, Value> {
-    read_mark(text(question, name).unwrap_or_default()).map_err(refused)
+    read_mark(text(question, name).unwrap_or_default()).map_err(|reason| refused(&reason))
 }
 
 /// The answer without files.
-fn refused(reason: String) -> Value {
+fn refused(reason: &str) -> Value {
     json!({ "reason": reason })
 }
 
@@ -28,7 +28,7 @@ pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<M
     let mut build = OutputFiles { files: files.collect(), ..OutputFiles::default() };
     build.files.sort();
     let sheet = question["sheet"].as_u64().and_then(|number| usize::try_from(number).ok());
-    let proven = aligned(&build, sheet, marks).map_err(|fault| refused(fault.to_string()))?;
+    let proven = aligned(&build, sheet, marks).map_err(|fault| refused(&fault.to_string()))?;
     let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
     Ok(Message { json: json!({}), files })
 }

@@ -6,6 +6,7 @@ use crate::prediction::groups_of_equals;
 use crate::seal_load::burst_of_drawn;
 use design::DrawnPieces;
 use geom::Point;
+use geom::order::sort_by;
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull};
 use sealed::Seam;
 use serde::Serialize;
@@ -107,7 +108,7 @@ fn pieces_with(name: &str, pieces: &DrawnPieces, place: [f64; 2]) -> Vec<usize> 
     let shapes = pieces.pieces.iter().map(|piece| &piece.shape.seams).enumerate();
     let mut distances: Vec<(usize, f64)> =
         shapes.filter_map(|(index, seams)| Some((index, least_distance(name, seams, place)?))).collect();
-    distances.sort_by(|a, b| a.1.total_cmp(&b.1));
+    sort_by(&mut distances, |a, b| a.1.total_cmp(&b.1));
     distances.into_iter().map(|(index, _)| index).collect()
 }
 

@@ -1,6 +1,7 @@
 //! The trade-off between contraction, stiffness and fabric.
 
 use crate::optimize::{Evaluation, Goal};
+use geom::order::sort_by;
 
 /// The values to minimise.
 fn goals(candidate: &Evaluation) -> [f64; 3] {
@@ -9,7 +10,7 @@ fn goals(candidate: &Evaluation) -> [f64; 3] {
 
 /// The candidates that no other beats in all three goals at once.
 pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
-    candidates.sort_by(|a, b| {
+    sort_by(&mut candidates, |a, b| {
         let (a, b) = (goals(a), goals(b));
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
     });

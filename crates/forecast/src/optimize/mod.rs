@@ -17,6 +17,7 @@ use self::front::front;
 use self::poll::{AXES, UnitPoint, polled, scanned};
 use crate::candidate::{Answer, Candidate};
 use design::{least_pitch, pitch_for};
+use geom::order::sort_by;
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::numerics::mapped;
 use spec::units::{Angle, Length, Pressure};
@@ -166,7 +167,7 @@ impl<'a> DesignSearch<'a> {
         let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
         let mut best: Vec<Evaluation> =
             evaluations.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
-        best.sort_by(|a, b| compare(a, b, self.goal));
+        sort_by(&mut best, |a, b| compare(a, b, self.goal));
         let feasible = evaluations.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
         SearchResult { best, front: front(feasible.collect()), computed }
     }
@@ -264,7 +265,7 @@ impl<'a> DesignSearch<'a> {
             .map(|index| scanned(index, &varied))
             .filter_map(|place| Some((place, self.evaluated(points, &place)?)));
         let mut scanned: Vec<(UnitPoint, Evaluation)> = scanned.collect();
-        scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
+        sort_by(&mut scanned, |a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
         let mut evaluations: Vec<Evaluation> =
             scanned.iter().map(|(_, candidate)| candidate.clone()).collect();

@@ -12,6 +12,7 @@ use crate::shell::{Detail, SHELL};
 use crate::star_answer::{mm, without_model};
 use crate::warning::PredictionWarning;
 use design::{Design, PlacedPart, StarDesign};
+use geom::order::sort_by;
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
 use inflatable::shell::cases::{FlatStar, Hysteresis, InflatedShape, InflatedStar, Value, Watch};
@@ -264,7 +265,7 @@ fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String
 /// middle leaves the object, and contact jumps to two flanks.
 fn snap(curve: &[(f64, Value)]) -> Option<String> {
     let mut sorted: Vec<&(f64, Value)> = curve.iter().collect();
-    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut sorted, |a, b| a.0.total_cmp(&b.0));
     let falls = sorted.windows(2).find(|pair| pair[1].1.value < pair[0].1.value)?;
     let [(narrow, high), (wide, low)] = [falls[0], falls[1]].map(|(radius, force)| (radius, force.value));
     Some(format!(

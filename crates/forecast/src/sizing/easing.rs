@@ -7,6 +7,7 @@ use crate::candidate::Candidate;
 use crate::load_check::COATED;
 use crate::optimize::SEARCHED;
 use crate::sizing::{Choice, ENDLESS, MARGIN, NearestRequirements, Requirements, Workspace, feasible};
+use geom::order::sort_by;
 use inflatable::mechanics::hinge::ring::RingTable;
 use spec::units::{Force, Length, Mass, Pressure, factor};
 
@@ -84,7 +85,7 @@ impl Finder<'_> {
     fn of_a_usual_size(&self, required: &Requirements) -> Option<NearestRequirements> {
         let distance = |size: &f64| libm::fabs(libm::log(0.5 * size / required.object.0));
         let mut sizes = SIZES;
-        sizes.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        sort_by(&mut sizes, |a, b| distance(a).total_cmp(&distance(b)));
         sizes.into_iter().find_map(|size| self.grippers(&Requirement::Size.with_value(required, 0.5 * size)))
     }
 

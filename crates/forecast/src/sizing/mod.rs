@@ -20,6 +20,7 @@ use crate::optimize::{
 };
 use crate::ranges::errors;
 use design::{pitch_for, room};
+use geom::order::{sort_by, sort_by_key};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::hinge::section::arms;
 use spec::units::{Angle, Force, Least, Length, Mass, Most, Pressure, in_unit};
@@ -198,10 +199,10 @@ fn feasible(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> 
         };
         choices = round(&search(&inner_constraints));
     }
-    choices.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
+    sort_by(&mut choices, |a, b| a.fabric().total_cmp(&b.fabric()));
     let mut areas: Vec<(u32, f64)> =
         choices.iter().map(|one| (one.point.star.points, one.fabric())).collect();
-    areas.sort_by_key(|(points, _)| *points);
+    sort_by_key(&mut areas, |(points, _)| *points);
     choices
         .into_iter()
         .map(|best| Choice { requirements: *requirements, best, others: areas.clone() })

@@ -4,6 +4,7 @@
 use crate::trade::shells::{ShellRow, StarErrors, mean, rms};
 use crate::trade::shown;
 use crate::trade::{QUANTITIES, TradeRow};
+use geom::order::sort_by;
 use std::fmt::Write;
 
 /// Sizes of the pictures, pixels.
@@ -164,7 +165,7 @@ fn choices(rows: &[ShellRow]) -> Vec<ModelMark<'_>> {
             ModelMark { model, time: mean(&times), errors }
         })
         .collect();
-    choices.sort_by(|a, b| a.time.total_cmp(&b.time));
+    sort_by(&mut choices, |a, b| a.time.total_cmp(&b.time));
     choices
 }
 

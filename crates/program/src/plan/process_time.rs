@@ -1,6 +1,7 @@
 //! The time that the seams of each process take.
 
 use crate::plan::Program;
+use geom::order::sort_by;
 use spec::SealProcess;
 
 /// A process with the time of its contacts.
@@ -28,6 +29,6 @@ pub fn process_times(programs: &[Program]) -> Vec<ProcessTime<'_>> {
             }
         }
     }
-    times.sort_by(|a, b| a.process.seal.temperature.0.total_cmp(&b.process.seal.temperature.0));
+    sort_by(&mut times, |a, b| a.process.seal.temperature.0.total_cmp(&b.process.seal.temperature.0));
     times
 }

@@ -5,6 +5,7 @@
 use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
 use crate::artifact::output::{NGC, Output, OutputPart};
 use design::{Design, DrawnPiece, FlatPiece, StarAssembly};
+use geom::order::sort_by_key;
 use spec::{Dialect, MaskKind, ProgramScope, Spec};
 
 /// The ending of programs in `dialect`.
@@ -87,7 +88,7 @@ impl Parts {
     fn kinds(self) -> Vec<Kind> {
         let of_parts = Kind::ALL.iter().copied().filter(|kind| Self::of_kind(*kind) == self);
         let mut kinds: Vec<Kind> = of_parts.collect();
-        kinds.sort_by_key(|kind| kind.format() == Format::Pdf);
+        sort_by_key(&mut kinds, |kind| kind.format() == Format::Pdf);
         kinds
     }
 

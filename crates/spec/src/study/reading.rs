@@ -1,5 +1,6 @@
 //! From the text of a study file to the study.
 
+use geom::order::sort_by_key;
 use std::ops::Range;
 
 use crate::FaultCode;
@@ -163,7 +164,7 @@ fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Leaf<'r>> {
     for entry in &table.0 {
         gather(entry, "", &mut leaves, faults);
     }
-    leaves.sort_by_key(|leaf| leaf.place.start);
+    sort_by_key(&mut leaves, |leaf| leaf.place.start);
     leaves
 }
 

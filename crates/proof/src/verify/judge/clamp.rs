@@ -4,6 +4,7 @@ use crate::verify::judge::Judge;
 use crate::verify::read::gcode;
 use crate::verify::read::gcode::{BlindMove, Move};
 use crate::verify::{Finding, FindingCode, Findings};
+use geom::order::sort_by;
 use geom::{Bounds, BoxIndex, Line, Point, Segment, segment_distance};
 use spec::KeepOut;
 
@@ -59,7 +60,7 @@ impl<'a> ClampZone<'a> {
 impl<'a> ClampJudge<'a> {
     pub(super) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
         let mut zones: Vec<ClampZone<'_>> = clamps.iter().map(ClampZone::new).collect();
-        zones.sort_by(|a, b| {
+        sort_by(&mut zones, |a, b| {
             let [a, b] = [a.bounds.min, b.bounds.min];
             a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
         });
