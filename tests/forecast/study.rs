@@ -301,6 +301,7 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "seal.height" => "-0.2 mm",
             "seal.lines" => "1",
             "seal.tip" => "0.8 mm",
+            "seal.power" => "70 %",
             "seal.cool" => "5 s",
             "seal.pause" => "seam",
             "star.tip_angle" | "stack.rotation" => "35 deg",

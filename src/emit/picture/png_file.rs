@@ -27,10 +27,13 @@ pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -
         return None;
     }
     let mut packer = Compressor::new(Vec::new()).ok()?;
-    let mut row_above = vec![0; row_length];
-    for row in pixels.chunks_exact(row_length) {
-        packer.write_data(&filtered(row, &row_above)).ok()?;
-        row_above.copy_from_slice(row);
+    // A row stands behind a pixel of zeros, which is to the left of its first one.
+    let mut row = vec![0; PIXEL + row_length];
+    let mut row_above = row.clone();
+    for bytes in pixels.chunks_exact(row_length) {
+        row[PIXEL..].copy_from_slice(bytes);
+        packer.write_data(&filtered(&row, &row_above)).ok()?;
+        std::mem::swap(&mut row, &mut row_above);
     }
     let mut file = SIGNATURE.to_vec();
     // 8 bits a colour, three colours, no interlacing.
@@ -47,10 +50,10 @@ pub(super) fn png_file([width, height]: [u32; 2], pixels: &[u8], density: u32) -
 /// `row` behind the number of its filter. The filter is the one whose differences have the least sum; of equal ones the last, or the first
 /// without differences.
 fn filtered(row: &[u8], row_above: &[u8]) -> Vec<u8> {
-    let mut smallest: Option<(u64, Vec<u8>)> = None;
+    let mut smallest: Option<(u32, Vec<u8>)> = None;
     for filter in [Filter::Up, Filter::Sub, Filter::Average, Filter::Paeth] {
         let bytes = differences(row, row_above, filter);
-        let sum = bytes[1..].iter().map(|byte| u64::from(byte.cast_signed().unsigned_abs())).sum();
+        let sum = bytes[1..].iter().map(|byte| u32::from(byte.cast_signed().unsigned_abs())).sum();
         if smallest.as_ref().is_none_or(|(least, _)| sum <= *least) {
             smallest = Some((sum, bytes));
         }
@@ -61,22 +64,21 @@ fn filtered(row: &[u8], row_above: &[u8]) -> Vec<u8> {
     smallest.map(|(_, differences)| differences).unwrap_or_default()
 }
 
-/// The number of `filter`, then what it leaves of `row`, which has the row `row_above` it.
+/// The number of `filter`, then what it leaves of `row`, which has the row `row_above` it; each behind a pixel of zeros.
 fn differences(row: &[u8], row_above: &[u8], filter: Filter) -> Vec<u8> {
-    let to_left = |bytes: &[u8], k: usize| k.checked_sub(PIXEL).map_or(0, |k| bytes[k]);
-    let mut differences = Vec::with_capacity(row.len() + 1);
+    let places = row[PIXEL..].iter().zip(row).zip(row_above[PIXEL..].iter().zip(row_above));
+    let mut differences = Vec::with_capacity(row.len());
     differences.push(filter as u8);
-    differences.extend_from_slice(row);
-    let bytes = differences[1..].iter_mut().enumerate();
     match filter {
-        Filter::Sub => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k))),
-        Filter::Up => bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(row_above[k])),
+        Filter::Sub => differences.extend(places.map(|((byte, left), _)| byte.wrapping_sub(*left))),
+        Filter::Up => differences.extend(places.map(|((byte, _), (above, _))| byte.wrapping_sub(*above))),
         Filter::Average => {
-            bytes.for_each(|(k, byte)| *byte = byte.wrapping_sub(to_left(row, k).midpoint(row_above[k])));
+            differences
+                .extend(places.map(|((byte, left), (above, _))| byte.wrapping_sub(left.midpoint(*above))));
         }
-        Filter::Paeth => bytes.for_each(|(k, byte)| {
-            *byte = byte.wrapping_sub(paeth(to_left(row, k), row_above[k], to_left(row_above, k)));
-        }),
+        Filter::Paeth => differences.extend(
+            places.map(|((byte, left), (above, corner))| byte.wrapping_sub(paeth(*left, *above, *corner))),
+        ),
     }
     differences
 }
