@@ -42,7 +42,8 @@ def test_a_feed_check_and_the_machines(gripper: sg.Spec) -> None:
     machines = sg.machines()
     assert "generic" in machines and all(description for description in machines.values())
     for name in machines:
-        assert gripper.replace({"machine.profile": name}).settings()["machine.profile"] == name
+        laser = {"seal.power": "8 %", "seal.tip": "0.5 mm"} if "laser" in name else {}
+        assert gripper.replace({"machine.profile": name, **laser}).settings()["machine.profile"] == name
 
 
 def test_programs_follow_a_sheet_that_was_moved(gripper: sg.Spec, tmp_path: Path) -> None:
@@ -61,7 +62,7 @@ def test_programs_follow_a_sheet_that_was_moved(gripper: sg.Spec, tmp_path: Path
     assert sg.verify(tmp_path / "aligned")
     with pytest.raises(sg.UsageError, match="mark1: found \"here\"; allowed are two coordinates in mm"):
         sg.align(build, "here", moved[1])
-    with pytest.raises(sg.Error, match="wrong mark|farther|distance"):
+    with pytest.raises(sg.Error, match="the marks are .* mm apart"):
         sg.align(build, "0, 0", "1, 1")
     with pytest.raises(TypeError, match="Did you mean 'sheet'"):
         sg.align(build, *moved, shet=1)  # type: ignore[call-arg]

@@ -527,7 +527,7 @@ class DrawnPrediction:
         """Range of the burst pressure: mesh errors, and how the pull may grow with the pressure."""
     @property
     def bursts_first(self) -> dict[str, Any] | None:
-        """The seam that opens first: `seam`, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the strength of each."""
+        """The seam that opens first: `seam`, with `piece` where several have a seam of this name, `process`, `pressure_kPa` and `range`. Where seams are sealed by several processes; needs the strength of each."""
     @property
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
