@@ -50,7 +50,7 @@ impl Loaded {
         Self::from_source(read_source(path)?, path, verbosity)
     }
 
-    /// The spec at `path` with the values of a fabric, read as by [`Loaded::spoken`].
+    /// The spec at `path` with the values of a fabric, read as by [`Loaded::read_spec`].
     pub(super) fn with_fabric(
         path: &Path,
         fabric: &FabricArg,

@@ -289,7 +289,7 @@ pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
     }
 }
 
-/// The JSON of [`written`].
+/// The JSON of [`file_rows`].
 fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
