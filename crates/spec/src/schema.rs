@@ -28,7 +28,7 @@ const NAMED: &str = "process";
 const LIST: &str = "stack.star";
 /// The products: a spec has one of these sections.
 const EITHER: [&str; ProductKind::WORDS.len()] = ProductKind::WORDS;
-/// The section of a profile that only a laser has, and the key of [heights] that a laser has not.
+/// The section of a profile that only a laser has, and the key of `[heights]` that a laser has not.
 const OF_LASERS: &str = "laser";
 const OF_IRONS: &str = "contact";
 /// The profile's list, which is in no section.
