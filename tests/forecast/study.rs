@@ -273,7 +273,8 @@ fn a_reader_that_has_enough_stops_the_run() {
 }
 
 /// The end of a spec for a laser, behind its [seal].
-const LASER: &str = "power = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"0.5 mm\"\n[machine]\nprofile = \"grbl-laser\"\n";
+const LASER: &str =
+    "power = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"0.5 mm\"\n[machine]\nprofile = \"grbl-laser\"\n";
 
 /// Every key: written into the spec, against the key varied.
 #[test]
