@@ -55,6 +55,5 @@ pub(super) fn directories() -> &'static [Directory] {
 
 /// A directory as the verifier sees it.
 pub(super) fn output_files(files: &Directory) -> OutputFiles<'_> {
-    let files = files.iter().map(|(name, bytes)| (name.as_str().into(), bytes.as_slice().into()));
-    OutputFiles { files: files.collect(), ..OutputFiles::default() }
+    files.iter().map(|(name, bytes)| (name, bytes)).collect()
 }

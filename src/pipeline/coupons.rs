@@ -16,6 +16,7 @@ use proof::verify::{
 };
 use spec::units::{Duration, Length, Percent, Speed, Temperature};
 use spec::{Machine, Spec};
+use std::borrow::Cow;
 
 /// Every strip with its setting and its cut.
 pub const OVERVIEW: &str = "strips.svg";
@@ -138,9 +139,9 @@ impl MadeCoupons {
 
     /// The files and the manifest for the verifier.
     fn output_files(&self) -> OutputFiles<'_> {
-        let manifest = (MANIFEST.into(), self.manifest.to_json().into());
-        let files = self.files.iter().map(|file| (file.name.as_str().into(), file.bytes.as_slice().into()));
-        OutputFiles { files: files.chain([manifest]).collect(), ..OutputFiles::default() }
+        let manifest = (MANIFEST, Cow::from(self.manifest.to_json()));
+        let files = self.files.iter().map(|file| (file.name.as_str(), Cow::from(&file.bytes)));
+        files.chain([manifest]).collect()
     }
 
     /// Reads every program among `files`, whose manifest is `manifest`, and compares all files with these.

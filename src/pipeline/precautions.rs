@@ -311,7 +311,7 @@ fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
         "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
          `stargrip-cam coupon {path}` writes one"
     );
-    // A laser is as fast as its power allows: that it needs a test is said with its power.
+    // A laser is as fast as its power allows: the note on its power says that it needs a test.
     (speed > FAST && forecast.spec.seal.power.is_none())
         .then(|| Precaution::new(PrecautionCode::FastSeal, text))
 }

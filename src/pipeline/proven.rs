@@ -30,8 +30,7 @@ impl Built {
 
     /// The files for the verifier.
     pub fn output_files(&self) -> OutputFiles<'_> {
-        let files = self.files().map(|(name, bytes)| (name.into(), bytes)).collect();
-        OutputFiles { files, ..OutputFiles::default() }
+        self.files().collect()
     }
 
     /// Reads every file back and compares it with the design.

@@ -1,6 +1,5 @@
 //! Drawings: shipped stars come back through files of their own edges, and shipped drawings are proven from their directory.
 
-use std::borrow::Cow;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path as File;
@@ -12,7 +11,7 @@ use stargrip_cam::geom::{Bounds, Enclosures, Isometry, Path, Point, Segment, Vec
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
 use stargrip_cam::sealed::Seam;
 use stargrip_cam::spec::{self, LayerRole, Source, Spec};
-use stargrip_cam::verify::{Finding, OutputFiles};
+use stargrip_cam::verify::Finding;
 
 use crate::support;
 
@@ -203,9 +202,7 @@ fn shipped_drawings_are_proven_from_their_directory() {
             result.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
         };
         let prove = |files: &[(String, Vec<u8>)]| {
-            let files =
-                files.iter().map(|(name, bytes)| (Cow::from(name.as_str()), Cow::from(bytes.as_slice())));
-            prove_files(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
+            prove_files(&files.iter().map(|(name, bytes)| (name, bytes)).collect()).findings
         };
         assert_eq!(prove(&files()), [], "{}", path.display());
         // Another drawing in its place is found out: by its hash, and by every file that follows from it.
@@ -346,9 +343,9 @@ fn a_valve_is_cut_out_of_one_sheet() {
 fn swapped_findings(built: &Built, names: [&str; 2]) -> Vec<Finding> {
     let files = built.files().map(|(name, bytes)| {
         let other = names.iter().position(|swapped| *swapped == name).map(|place| names[1 - place]);
-        (Cow::from(other.unwrap_or(name)), bytes)
+        (other.unwrap_or(name), bytes)
     });
-    prove_files(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
+    prove_files(&files.collect()).findings
 }
 
 /// The text of a file of a build.

@@ -8,7 +8,6 @@ use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, MadeCoupons, Sources, build, read_back};
 use stargrip_cam::resume::{ResumeAt, resume};
 use stargrip_cam::spec::{Machine, Source, Spec, read};
-use stargrip_cam::verify::OutputFiles;
 
 use crate::{PROFILES, findings_with, machine, profile, read_for, text as text_of};
 
@@ -84,11 +83,7 @@ fn a_drawing_is_made_on_every_machine() {
         let (text, spec) = pillow(&rest);
         let machine = machine(profile(name));
         let built = build_drawing(&text, &spec, &machine, name);
-        let files = OutputFiles {
-            files: built.files().map(|(file, bytes)| (file.into(), bytes)).collect(),
-            ..OutputFiles::default()
-        };
-        assert_eq!(read_back(&files).findings, [], "{name}");
+        assert_eq!(read_back(&built.output_files()).findings, [], "{name}");
         let has_file = |file: &str| built.artifacts.iter().any(|artifact| artifact.name == file);
         for file in
             ["sheet-1-outline-a4.pdf", "sheet-1-preview.png", "piece-1-mask.svg", "piece-1-mask-letter.pdf"]

@@ -10,6 +10,7 @@ use stargrip_cam::spec::LASER_PROFILE;
 use crate::clock::controller::{Motors, run};
 use crate::clock::judge::TOTAL;
 use crate::clock::text::Text;
+use crate::danger::missed;
 use crate::{
     builtin_machine, findings_with, machine, profile, recounted, spec, spec_text, text, try_built,
     try_built_with,
@@ -170,17 +171,9 @@ fn no_dangerous_line_is_proven() {
     for &(place, code, dangers) in ROWS {
         for danger in dangers {
             number += 1;
-            let insertion = index(&lines, place);
-            let mut changed = lines.clone();
-            changed.splice(insertion..insertion, danger.lines()).for_each(drop);
-            let findings = findings_with(&build, SEAL, &recounted(&changed));
-            let last = insertion + danger.lines().count();
             // What a line leaves behind is found at the next one.
-            let is_near = |line: usize| (insertion + 1..=last + 2).contains(&line);
-            if !findings.iter().any(|f| f.code == code && f.line.is_some_and(is_near)) {
-                let codes: Vec<_> = findings.iter().take(5).map(|f| (f.code, f.line)).collect();
-                unproven.push(format!("{place:?} {danger:?}: no {code} at {last}: {codes:?}"));
-            }
+            let miss = missed(&build, SEAL, &lines, index(&lines, place), danger, code, 2);
+            unproven.extend(miss.map(|miss| format!("{place:?} {miss}")));
         }
     }
     assert!(unproven.is_empty(), "{unproven:#?}");

@@ -5,6 +5,7 @@ mod chopped;
 mod clamps;
 mod clock;
 mod coupons;
+mod danger;
 mod dangerous_lines;
 mod dialects;
 mod drawings;
@@ -32,8 +33,8 @@ use stargrip_cam::spec::{
     Dialect, DialectFamily, LASER_PROFILE, Machine, PRESS_PROFILE, Source, Spec, StepRate, builtin_machine,
     builtin_machines, read, read_machine,
 };
+use stargrip_cam::verify::Finding;
 use stargrip_cam::verify::gcode::{Dialect as Reader, Program, read_program};
-use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// The profiles of machines whose operator sets Z 0 on the sheet: one for each dialect but Bambu's, by its name.
 const PROFILES: [&str; 8] =
@@ -206,7 +207,7 @@ fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
             _ if file == name => text.as_bytes().to_vec().into(),
             _ => bytes,
         };
-        (file.into(), bytes)
+        (file, bytes)
     });
-    read_back(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
+    read_back(&files.collect()).findings
 }

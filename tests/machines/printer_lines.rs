@@ -4,7 +4,8 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::pipeline::{Built, read_back};
 use stargrip_cam::spec::{builtin_machine, read_machine};
 
-use crate::{findings_with, profile, recounted, spec_text, text, try_built_with};
+use crate::danger::missed;
+use crate::{profile, spec_text, text, try_built_with};
 
 const SEAL: &str = "star-1-seal.gcode";
 
@@ -238,16 +239,8 @@ fn no_dangerous_line_is_proven() {
         for &(_, place, code, dangers) in ROWS.iter().filter(|(own, ..)| *own == name) {
             for danger in dangers {
                 number += 1;
-                let insertion = index(&lines, place);
-                let mut changed = lines.clone();
-                changed.splice(insertion..insertion, danger.lines()).for_each(drop);
-                let findings = findings_with(&build, SEAL, &recounted(&changed));
-                let last = insertion + danger.lines().count();
-                let is_there = |line: usize| (insertion + 1..=last + 1).contains(&line);
-                if !findings.iter().any(|f| f.code == code && f.line.is_some_and(is_there)) {
-                    let codes: Vec<_> = findings.iter().take(4).map(|f| (f.code, f.line)).collect();
-                    unproven.push(format!("{name} {place:?} {danger:?}: no {code} at {last}: {codes:?}"));
-                }
+                let miss = missed(&build, SEAL, &lines, index(&lines, place), danger, code, 1);
+                unproven.extend(miss.map(|miss| format!("{name} {place:?} {miss}")));
             }
         }
     }

@@ -95,8 +95,7 @@ pub fn build_with(text: &str, extras: &[Kind]) -> Built {
 
 /// The files of `build`, to be changed.
 pub fn files_of(build: &Built) -> OutputFiles<'static> {
-    let files = build.files().map(|(name, bytes)| (name.to_owned().into(), bytes.into_owned().into()));
-    OutputFiles { files: files.collect(), ..OutputFiles::default() }
+    build.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
 }
 
 /// Gives the file `name` other bytes.

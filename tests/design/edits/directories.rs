@@ -44,8 +44,7 @@ pub(crate) fn directories() -> Vec<Directory> {
 
 /// A directory as the verifier sees it.
 pub(crate) fn output_files(files: &Directory) -> OutputFiles<'_> {
-    let files = files.iter().map(|(name, bytes)| (name.as_str().into(), bytes.as_slice().into()));
-    OutputFiles { files: files.collect(), ..OutputFiles::default() }
+    files.iter().map(|(name, bytes)| (name, bytes)).collect()
 }
 
 /// A kind of file, as the table has it.

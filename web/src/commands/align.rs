@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 use stargrip_cam::geom::Point;
 use stargrip_cam::pipeline::{align as aligned, read_mark};
-use stargrip_cam::verify::OutputFiles;
 
+use crate::commands::build::directory;
 use crate::message::Message;
 use crate::question::text;
 
@@ -24,9 +24,7 @@ fn refused(reason: &str) -> Value {
 /// The `reason` for which there is none: a mark that cannot be read, or a sheet that cannot lie there.
 pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<Message, Value> {
     let marks = [read(question, "mark1")?, read(question, "mark2")?];
-    let files = files.into_iter().map(|(name, bytes)| (name.into(), bytes.into()));
-    let mut build = OutputFiles { files: files.collect(), ..OutputFiles::default() };
-    build.files.sort();
+    let build = directory(files);
     let sheet = question["sheet"].as_u64().and_then(|number| usize::try_from(number).ok());
     let proven = aligned(&build, sheet, marks).map_err(|fault| refused(&fault.to_string()))?;
     let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();

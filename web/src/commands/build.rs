@@ -158,8 +158,12 @@ fn request(question: &Value) -> KindRequest {
 
 /// Proves the files of a directory.
 pub(super) fn verify(files: Vec<(String, Vec<u8>)>) -> Value {
-    let files = files.into_iter().map(|(name, bytes)| (name.into(), bytes.into()));
-    let mut files = OutputFiles { files: files.collect(), ..OutputFiles::default() };
-    files.files.sort();
-    serde_json::from_str(&proof::json(&prove_files(&files))).unwrap_or_default()
+    serde_json::from_str(&proof::json(&prove_files(&directory(files)))).unwrap_or_default()
+}
+
+/// The directory of `files`, in the order of their names.
+pub(super) fn directory(files: Vec<(String, Vec<u8>)>) -> OutputFiles<'static> {
+    let mut directory: OutputFiles<'_> = files.into_iter().collect();
+    directory.files.sort();
+    directory
 }

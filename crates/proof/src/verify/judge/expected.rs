@@ -32,6 +32,14 @@ pub struct OutputFiles<'a> {
     pub long: Vec<(Cow<'a, str>, u64)>,
 }
 
+impl<'a, N: Into<Cow<'a, str>>, B: Into<Cow<'a, [u8]>>> FromIterator<(N, B)> for OutputFiles<'a> {
+    /// A directory of regular files alone.
+    fn from_iter<I: IntoIterator<Item = (N, B)>>(files: I) -> Self {
+        let files = files.into_iter().map(|(name, bytes)| (name.into(), bytes.into()));
+        Self { files: files.collect(), ..Self::default() }
+    }
+}
+
 impl OutputFiles<'_> {
     /// The content of the file called `name`.
     pub fn get(&self, name: &str) -> Option<&[u8]> {
