@@ -1,18 +1,17 @@
 //! From the filled-in table of a peel test to the seal settings of a spec.
 //!
-//! A **setting** is a commanded temperature, and speed and height of an iron or time of a press; of a laser it is power, speed and focus. It **holds** if the lower bound of its peel strength, mean less two standard
-//! deviations, is at least the margin times the required strength. Of the settings that hold the fastest is chosen, of equals the
-//! strongest. Fewer than three specimens of a setting, or a spread above a quarter, support no choice. Without a required strength there is
-//! none either, because even the weakest seal would pass.
+//! A **setting** is a commanded temperature, and speed and height of an iron or time of a press; of a laser it is power, speed and focus.
+//! It **holds** if the lower bound of its peel strength, mean less two standard deviations, is at least the margin times the required
+//! strength. Of the settings that hold the fastest is chosen, of equals the strongest. Fewer than three specimens of a setting, or a
+//! spread above a quarter, support no choice. Without a required strength there is none either, because even the weakest seal would pass.
 
 use geom::order::sort_by;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-use crate::coupon::strips::{TEMPERATURES, WIDTH};
-use crate::coupon::table::{TableColumn, read_table};
+use crate::coupon::peel_rows::{PeelRow, ToolPace};
+use crate::coupon::strips::WIDTH;
 use spec::units::Readable;
-use spec::{Allowed, CONTACT, FOCUSES, Faults, POWERS, PRESS_TIMES, SEAL_SPEEDS, Source};
 
 /// Least number of specimens of a setting.
 const LEAST: usize = 3;
@@ -21,136 +20,8 @@ const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
 
-/// Largest peel strength, N/mm: half a ton on a strip. What is above was written in mN.
-const STRONGEST: f64 = 200.0;
 /// Ten times the speed of the paper, mm/s: above it, mm/min may have been written as mm/s.
 const FAST: f64 = 1.0;
-
-const TEMPERATURE: TableColumn = TableColumn {
-    names: &["temperature"],
-    unit: "C",
-    allowed: TEMPERATURES,
-    optional: false,
-    slip: "convert degrees Fahrenheit to C; check whether the columns are exchanged",
-};
-
-/// Empty where a strip was not tested.
-const PEEL: TableColumn = TableColumn {
-    names: &["peel"],
-    unit: "N",
-    allowed: Allowed::closed(0.0, STRONGEST * WIDTH),
-    optional: true,
-    slip: "write pulls above 0, and convert mN to N",
-};
-
-/// The columns of the table that `coupon` writes for a press, with the numbers that a spec may have.
-const PRESS_COLUMNS: [TableColumn; 3] = [
-    TEMPERATURE,
-    TableColumn {
-        names: &["time"],
-        unit: "s",
-        allowed: PRESS_TIMES,
-        optional: false,
-        slip: "convert minutes to s; check whether the columns are exchanged",
-    },
-    PEEL,
-];
-
-const SPEED: TableColumn = TableColumn {
-    names: &["speed"],
-    unit: "mm_s",
-    allowed: SEAL_SPEEDS,
-    optional: false,
-    slip: "convert mm/min to mm/s; check whether the columns are exchanged",
-};
-
-/// The columns of the table that `coupon` writes for a laser.
-const LASER_COLUMNS: [TableColumn; 4] = [
-    TableColumn {
-        names: &["power"],
-        unit: "percent",
-        allowed: POWERS,
-        optional: false,
-        slip: "write per cent of full power, not S words; check whether the columns are exchanged",
-    },
-    SPEED,
-    TableColumn {
-        names: &["focus"],
-        unit: "mm",
-        allowed: FOCUSES,
-        optional: false,
-        slip: "convert cm to mm; check whether the columns are exchanged",
-    },
-    PEEL,
-];
-
-/// The columns of the table that `coupon` writes for an iron, with the numbers that a spec and a profile may have.
-const COLUMNS: [TableColumn; 4] = [
-    TEMPERATURE,
-    SPEED,
-    TableColumn {
-        names: &["height"],
-        unit: "mm",
-        allowed: CONTACT,
-        optional: false,
-        slip: "convert um to mm; check whether the columns are exchanged",
-    },
-    PEEL,
-];
-
-/// How long a tool heats each place of a seam.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ToolPace {
-    /// An iron that moves along.
-    Iron {
-        /// Speed, mm/s.
-        speed: f64,
-        /// Height of the tip, mm.
-        height: f64,
-    },
-    /// A laser that moves along.
-    Laser {
-        /// Speed, mm/s.
-        speed: f64,
-        /// Height of the focus above the sheet, mm.
-        focus: f64,
-    },
-    /// Plates that rest.
-    Press {
-        /// Time under pressure, s.
-        time: f64,
-    },
-}
-
-impl ToolPace {
-    /// Two numbers that tell settings of one tool apart.
-    fn numbers(self) -> [f64; 2] {
-        match self {
-            Self::Iron { speed, height } => [speed, height],
-            Self::Laser { speed, focus } => [speed, focus],
-            Self::Press { time } => [time, 0.0],
-        }
-    }
-
-    /// A number that grows as a part is made faster.
-    fn haste(self) -> f64 {
-        match self {
-            Self::Iron { speed, .. } | Self::Laser { speed, .. } => speed,
-            Self::Press { time } => 1.0 / time,
-        }
-    }
-}
-
-/// One filled-in row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PeelRow {
-    /// Temperature, in degrees Celsius; of a laser its power, %.
-    pub heat: f64,
-    /// Speed and height, or time.
-    pub pace: ToolPace,
-    /// Peel force of the specimen, N over its 25 mm.
-    pub peel: f64,
-}
 
 /// A setting with the results of its specimens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,41 +36,6 @@ pub struct Calibration {
     pub strength: f64,
     /// Number of specimens.
     pub count: usize,
-}
-
-/// Reads the table of a press; rows without a peel force were not tested and are left out.
-///
-/// # Errors
-/// All faults of the table, see [`read_table`].
-pub fn read_press_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
-    let tested = |[temperature, time, peel]: [Option<f64>; 3]| {
-        Some(PeelRow { heat: temperature?, pace: ToolPace::Press { time: time? }, peel: peel? })
-    };
-    Ok(read_table(source, &PRESS_COLUMNS)?.into_iter().filter_map(tested).collect())
-}
-
-/// Reads the table of an iron; rows without a peel force were not tested and are left out.
-///
-/// # Errors
-/// All faults of the table, see [`read_table`].
-pub fn read_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
-    let tested = |[temperature, speed, height, peel]: [Option<f64>; 4]| {
-        let pace = ToolPace::Iron { speed: speed?, height: height? };
-        Some(PeelRow { heat: temperature?, pace, peel: peel? })
-    };
-    Ok(read_table(source, &COLUMNS)?.into_iter().filter_map(tested).collect())
-}
-
-/// Reads the table of a laser; rows without a peel force were not tested and are left out.
-///
-/// # Errors
-/// All faults of the table, see [`read_table`].
-pub fn read_laser_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
-    let tested = |[power, speed, focus, peel]: [Option<f64>; 4]| {
-        let pace = ToolPace::Laser { speed: speed?, focus: focus? };
-        Some(PeelRow { heat: power?, pace, peel: peel? })
-    };
-    Ok(read_table(source, &LASER_COLUMNS)?.into_iter().filter_map(tested).collect())
 }
 
 /// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
@@ -289,28 +125,40 @@ impl Calibration {
         (self.strength * 1e3 + 1e-6).floor() / 1e3
     }
 
-    /// The lines for the spec: a section of the process called `name`.
+    /// The lines for the spec: a section of the process called `name`; of a press, which has no processes, those of [`Self::toml`].
     pub fn process_toml(&self, name: &str) -> String {
-        let heat = self.setting.heat;
-        let (speed, height) = match self.setting.pace {
-            ToolPace::Iron { speed, height } => (speed, height),
-            ToolPace::Laser { speed, focus } => {
-                return format!(
-                    "{}[process.{name}]\npower = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\nstrength = \"{:.3} N/mm\"\n",
-                    self.specimens(),
-                    self.written_strength()
-                );
-            }
-            // A press has no processes: all seams are made at once.
+        let height = match self.setting.pace {
+            ToolPace::Iron { height, .. } => format!("height = \"{height} mm\"\n"),
+            ToolPace::Laser { .. } => String::new(),
             ToolPace::Press { .. } => return self.toml(),
         };
         format!(
-            "{}{}[process.{name}]\ntemperature = \"{heat} C\"\nspeed = \"{speed} mm/s\"\nheight = \"{height} mm\"\n\
-             strength = \"{:.3} N/mm\"\n",
+            "{}{}[process.{name}]\n{}{height}strength = \"{:.3} N/mm\"\n",
             self.specimens(),
-            warning(speed),
+            self.speed_comment(),
+            self.keys(),
             self.written_strength()
         )
+    }
+
+    /// The keys of the setting, without the height of an iron, which a profile may have.
+    fn keys(&self) -> String {
+        let heat = self.setting.heat;
+        match self.setting.pace {
+            ToolPace::Iron { speed, .. } => format!("temperature = \"{heat} C\"\nspeed = \"{speed} mm/s\"\n"),
+            ToolPace::Laser { speed, focus } => {
+                format!("power = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\n")
+            }
+            ToolPace::Press { time } => format!("temperature = \"{heat} C\"\ntime = \"{time} s\"\n"),
+        }
+    }
+
+    /// The comment on the speed of an iron, if it may be in another unit; a laser is as fast as its power allows.
+    fn speed_comment(&self) -> String {
+        match self.setting.pace {
+            ToolPace::Iron { speed, .. } => warning(speed),
+            ToolPace::Laser { .. } | ToolPace::Press { .. } => String::new(),
+        }
     }
 
     /// The comment on the specimens.
@@ -324,21 +172,20 @@ impl Calibration {
 
     /// The lines for the spec.
     pub fn toml(&self) -> String {
-        let (specimens, strength, heat) = (self.specimens(), self.written_strength(), self.setting.heat);
-        let fabric = format!("{specimens}[fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n");
-        match self.setting.pace {
-            ToolPace::Iron { speed, height } => format!(
-                "{fabric}# tip at {height} mm: heights.contact of the machine profile\n\
-                 {}[seal]\ntemperature = \"{heat} C\"\nspeed = \"{speed} mm/s\"\n",
-                warning(speed)
-            ),
-            ToolPace::Laser { speed, focus } => format!(
-                "{fabric}[seal]\npower = \"{heat} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\"\n"
-            ),
-            ToolPace::Press { time } => {
-                format!("{fabric}[press]\ntemperature = \"{heat} C\"\ntime = \"{time} s\"\n")
+        let (section, height_comment) = match self.setting.pace {
+            ToolPace::Iron { height, .. } => {
+                ("seal", format!("# tip at {height} mm: heights.contact of the machine profile\n"))
             }
-        }
+            ToolPace::Laser { .. } => ("seal", String::new()),
+            ToolPace::Press { .. } => ("press", String::new()),
+        };
+        format!(
+            "{}[fabric]\nseal_strength = \"{:.3} N/mm\"\n\n{height_comment}{}[{section}]\n{}",
+            self.specimens(),
+            self.written_strength(),
+            self.speed_comment(),
+            self.keys()
+        )
     }
 }
 
@@ -384,6 +231,8 @@ pub fn listing(settings: &[Calibration]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coupon::peel_rows::{read_laser_rows, read_press_rows, read_rows};
+    use spec::Source;
 
     const TABLE: &str = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n\
         1,200,0.1,-0.3,75,peel\n2,200,0.1,-0.3,78,peel\n3,200,0.1,-0.3,72,peel\n\

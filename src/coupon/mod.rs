@@ -7,6 +7,7 @@
 
 pub mod bias;
 mod calibration;
+mod peel_rows;
 mod press_cards;
 mod shapes;
 mod strips;
@@ -20,10 +21,8 @@ use program::plan::{Program, Purpose, Scope, refusal_beyond, refusals, seal_prog
 use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use spec::{Machine, Spec};
 
-pub use calibration::{
-    Calibration, PeelRow, ToolPace, calibrate, listing, read_laser_rows, read_press_rows, read_rows,
-    settings, steady,
-};
+pub use calibration::{Calibration, calibrate, listing, settings, steady};
+pub use peel_rows::{PeelRow, ToolPace, read_laser_rows, read_press_rows, read_rows};
 pub use press_cards::{PressGrid, press_drawings, press_table};
 pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, StripHeat, TEMPERATURES, TestStrip, overview, table};

@@ -90,7 +90,7 @@ struct Arm<'a> {
 
 impl Arm<'_> {
     /// The line at the distance `delta` outside of the tube, `inner_delta` on the side where the arms face each other; its ends are
-    /// `overrun` the mouth.
+    /// `overrun` beyond the mouth.
     fn vee(&self, delta: f64, inner_delta: f64, overrun: f64) -> Path {
         let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
         let arm = 4.0 * w + delta;
