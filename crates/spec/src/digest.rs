@@ -23,9 +23,14 @@ pub fn md5(bytes: impl AsRef<[u8]>) -> String {
     message.extend((bytes.len() as u64).wrapping_mul(8).to_le_bytes());
     let start = [0x6745_2301, 0xefcd_ab89, 0x98ba_dcfe, 0x1032_5476];
     let state = message.chunks_exact(BLOCK).fold(start, md5_of_block);
-    state.iter().flat_map(|word| word.to_le_bytes()).fold(String::with_capacity(32), |mut text, byte| {
+    hexadecimal(state.iter().flat_map(|word| word.to_le_bytes())).to_uppercase()
+}
+
+/// Two digits a byte, in lower case.
+fn hexadecimal(bytes: impl IntoIterator<Item = u8>) -> String {
+    bytes.into_iter().fold(String::new(), |mut text, byte| {
         // Writing to a String does not fail.
-        let _ = write!(text, "{byte:02X}");
+        let _ = write!(text, "{byte:02x}");
         text
     })
 }
@@ -95,11 +100,7 @@ impl Running {
 
     /// The hash of all bytes, in lower-case hexadecimal.
     pub fn finish(self) -> String {
-        self.0.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
-            // Writing to a String does not fail.
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+        hexadecimal(self.0.finalize())
     }
 }
 

@@ -35,15 +35,13 @@ pub fn seals_by_laser(source: &Source) -> bool {
     place_of(&raw, "seal", "power").is_some()
 }
 
-/// Keys that a spec for a laser does not have: section, key, and the remedy.
-const OF_IRONS: [(&str, &str, &str); 4] = [
-    ("seal", "temperature", "delete it: `power` takes its place"),
-    ("seal", "height", "a laser touches nothing: write `focus`, its height above the sheet"),
+/// Keys outside of processes that a spec for a laser does not have: section, key, and the remedy.
+const OF_IRONS: [(&str, &str, &str); 2] = [
     ("machine", "feed_floor", "strokes and dwells would burn holes: write a `speed` that the machine holds"),
     ("cut", "tool", "it would take the place of the laser: cut along the outline drawings"),
 ];
 
-/// Keys that a process of a laser does not have, with the remedy.
+/// Keys that neither `[seal]` nor a process has for a laser, with the remedy.
 const OF_IRON_PROCESSES: [(&str, &str); 2] = [
     ("temperature", "delete it: `power` takes its place"),
     ("height", "a laser touches nothing: write `focus`, its height above the sheet"),
@@ -70,10 +68,11 @@ pub(super) fn faults(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         let place = place_of(raw, section, key);
         faults.extend(place.map(|place| of_iron(place, &format!("`{key}` in [{section}]"), remedy)));
     }
-    for (name, process) in processes(raw) {
+    let seal = raw.root().get("seal").and_then(RawValue::as_table).map(|seal| ("seal".to_owned(), seal));
+    for (section, process) in seal.into_iter().chain(processes(raw)) {
         for (key, remedy) in OF_IRON_PROCESSES {
             let place = place_in(process, key);
-            faults.extend(place.map(|place| of_iron(place, &format!("`{key}` in [process.{name}]"), remedy)));
+            faults.extend(place.map(|place| of_iron(place, &format!("`{key}` in [{section}]"), remedy)));
         }
     }
     faults
@@ -94,14 +93,14 @@ fn without_power(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         let help = "write power = \"10 %\" and `tip`, the width of the spot, into [seal]; `coupon` finds the power of your fabric";
         return vec![fault.help(help)];
     }
-    let focus = place_of(raw, "seal", "focus").map(|place| ("[seal]".to_owned(), "focus", place));
+    let focus = place_of(raw, "seal", "focus").map(|place| ("seal".to_owned(), "focus", place));
     let mut keys_of_lasers: Vec<(String, &str, Range<usize>)> = focus.into_iter().collect();
-    for (name, process) in processes(raw) {
+    for (section, process) in processes(raw) {
         let places = ["power", "focus"].into_iter().filter_map(|key| Some((key, place_in(process, key)?)));
-        keys_of_lasers.extend(places.map(|(key, place)| (format!("[process.{name}]"), key, place)));
+        keys_of_lasers.extend(places.map(|(key, place)| (section.clone(), key, place)));
     }
     let fault = |(section, key, place): (String, &str, Range<usize>)| {
-        let message = format!("`{key}` in {section}, and no `power` in [seal]");
+        let message = format!("`{key}` in [{section}], and no `power` in [seal]");
         let fault = Fault::error(FaultCode::Conflict, place, message).label("it is for a laser");
         fault.help("write `power` into [seal], too, for a laser; or delete it")
     };
@@ -118,11 +117,11 @@ fn place_in(table: &RawTable, key: &str) -> Option<Range<usize>> {
     table.0.iter().find(|entry| entry.key == key).map(|entry| entry.key_span.clone())
 }
 
-/// Every `[process.NAME]` of the text, with its name.
-fn processes(raw: &RawSpec) -> impl Iterator<Item = (&str, &RawTable)> {
+/// Every section `process.NAME` of the text, with its name in full.
+fn processes(raw: &RawSpec) -> impl Iterator<Item = (String, &RawTable)> {
     let sections = raw.root().get("process").and_then(RawValue::as_table);
     let entries = sections.into_iter().flat_map(|sections| &sections.0);
-    entries.filter_map(|entry| Some((entry.key.as_str(), entry.value.as_table()?)))
+    entries.filter_map(|entry| Some((format!("process.{}", entry.key), entry.value.as_table()?)))
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, check_process_name};
-pub use seal_process::SealProcess;
+pub use seal_process::{SealProcess, seam_strength};
 pub use service::{Service, WARMEST, WarmPart, Warming};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

@@ -1,6 +1,6 @@
 //! The process of each name, with what it takes from `[seal]`.
 
-use crate::seal::{DEFAULT_PROCESS, Seal, SealPause};
+use crate::seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause};
 use crate::units::LineForce;
 use crate::{Fabric, Spec};
 
@@ -29,6 +29,13 @@ impl SealProcess {
     }
 }
 
+/// Peel strength of the seams that the process called `name` among `processes` makes: a process without one has that of the `fabric`, and
+/// so has `[seal]`. `None` if it is unknown.
+pub fn seam_strength(processes: &[ProcessSpec], name: &str, fabric: &Fabric) -> Option<LineForce> {
+    let process = processes.iter().find(|process| process.name == name);
+    process.and_then(|process| process.strength).or(fabric.seal_strength)
+}
+
 impl Spec {
     /// The process that `[seal]` is.
     pub fn default_process(&self) -> SealProcess {
@@ -45,7 +52,7 @@ impl Spec {
         let base = default.seal;
         SealProcess {
             name: process.name.clone(),
-            strength: process.strength.or(default.strength),
+            strength: seam_strength(&self.processes, name, &self.fabric),
             seal: Seal {
                 temperature: process.temperature.unwrap_or(base.temperature),
                 power: process.power.or(base.power),

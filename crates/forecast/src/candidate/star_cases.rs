@@ -3,16 +3,14 @@
 use crate::candidate::{Candidate, RefusedDesign};
 use crate::case::Case;
 use design::{Meeting, Object, Star, opening};
-use spec::StarSpec;
 use spec::units::LineForce;
+use spec::{StarSpec, seam_strength};
 
 impl Candidate {
-    /// The strengths of the two loops of `star`: a process without one has that of the fabric.
+    /// The strengths of the two loops of `star`.
     pub(super) fn strengths(&self, star: &StarSpec) -> [Option<LineForce>; 2] {
-        [&star.inner_process, &star.outer_process].map(|name| {
-            let process = self.processes.iter().find(|process| process.name == *name);
-            process.and_then(|process| process.strength).or(self.fabric.seal_strength)
-        })
+        [&star.inner_process, &star.outer_process]
+            .map(|name| seam_strength(&self.processes, name, &self.fabric))
     }
 
     /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `base_case`, the

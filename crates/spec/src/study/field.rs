@@ -206,8 +206,8 @@ fn process_and_key(name: &str) -> Option<(&str, &str)> {
 
 /// The shape of the values of `key`.
 fn shape_of(key: KeyPath) -> Option<&'static ValueShape> {
-    let named = SHAPES.iter().find(|(section, word, _)| (*section, *word) == (key.section(), key.key()));
-    named.map(|(_, _, shape)| shape)
+    let entry = SHAPES.iter().find(|(section, word, _)| (*section, *word) == (key.section(), key.key()));
+    entry.map(|(_, _, shape)| shape)
 }
 
 /// A plain number as TOML has it.
