@@ -38,7 +38,7 @@ pub fn prove(dir: &Path) -> Result<Proof, Failure> {
 /// The build in `dir` with the programs for a sheet whose marks lie at `marks` now, as `align` makes it; `sheet` names one of several.
 ///
 /// # Errors
-/// If the directory cannot be read, is no build of this version, or the sheet cannot lie there.
+/// If the directory cannot be read or is not a build of this version, or the sheet cannot lie there.
 pub fn aligned(dir: &Path, sheet: Option<usize>, marks: [Point; 2]) -> Result<Proven, Failure> {
     align::aligned(dir, sheet, marks, Verbosity { quiet: true, ..Verbosity::default() })
 }

@@ -51,13 +51,13 @@ fn json_of(text: &str) -> Value {
 #[track_caller]
 fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
     let output = run(dir, args);
-    let said = stderr(&output);
-    assert_eq!(output.status.code(), Some(code), "{args:?}\n{}\n{said}", stdout(&output));
+    let answer = stderr(&output);
+    assert_eq!(output.status.code(), Some(code), "{args:?}\n{}\n{answer}", stdout(&output));
     assert_eq!(stdout(&output), "", "{args:?}");
-    assert!(!said.contains("panicked"), "{args:?}: {said}");
-    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(!answer.contains("panicked"), "{args:?}: {answer}");
+    let flat = answer.split_whitespace().collect::<Vec<_>>().join(" ");
     for word in words {
-        assert!(flat.contains(word), "{args:?}: no {word:?} in {said}");
+        assert!(flat.contains(word), "{args:?}: no {word:?} in {answer}");
     }
     output
 }
@@ -93,12 +93,12 @@ fn every_command_refuses_a_dangerous_line_of_the_profile() {
 #[test]
 fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();
-    let said = done_silently(dir.path(), &["feedcheck", "star.toml"]);
+    let answer = done_silently(dir.path(), &["feedcheck", "star.toml"]);
     assert!(
-        said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s; if one took 96 s"),
-        "{said}"
+        answer.contains("wrote feedcheck.gcode") && answer.contains("must take 100 s; if one took 96 s"),
+        "{answer}"
     );
-    assert!(said.contains("at each M0 it must stop and wait, at the X, Y and Z"), "{said}");
+    assert!(answer.contains("at each M0 it must stop and wait, at the X, Y and Z"), "{answer}");
     let program = read(dir.path(), "feedcheck.gcode");
     assert!(
         program.contains("; requires: M0 must stop the machine") && !program.contains("G91"),
@@ -215,8 +215,8 @@ fn a_feed_check_keeps_off_clamps_and_within_the_work_area() {
     let clamped = old["machine"].as_str().expect("a profile").to_owned() + &clamp(5.0, 5.0, 20.0);
     old["machine"] = clamped.into();
     fs::write(&manifest, old.to_string()).expect("written");
-    let said = stdout(&run(dir.path(), &["verify", "feedcheck.gcode"]));
-    assert!(said.contains("clamp-in-the-way: found a move at Z5"), "{said}");
+    let answer = stdout(&run(dir.path(), &["verify", "feedcheck.gcode"]));
+    assert!(answer.contains("clamp-in-the-way: found a move at Z5"), "{answer}");
     // Below travel height it is in nothing's way.
     profile(mine.clone() + &clamp(5.0, 5.0, 4.0));
     let _ = done_silently(dir.path(), &["feedcheck", "star.toml", "--force"]);
@@ -236,8 +236,8 @@ fn resume_keeps_off_the_clamps_of_the_profile() {
     let _ = done_silently(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode"]);
     let (job, rest) = ("out/star/star-1-seal.gcode", "rest.gcode");
     let resume = ["resume", job, "--at", "50%", "-o", rest];
-    let said = done_silently(dir.path(), &resume);
-    assert!(said.contains("the job is unchanged"), "{said}");
+    let answer = done_silently(dir.path(), &resume);
+    assert!(answer.contains("the job is unchanged"), "{answer}");
     fs::remove_file(dir.path().join(rest)).expect("there");
     fs::write(dir.path().join("out/star/machine.toml"), &profile).expect("written");
     let words = [
@@ -248,8 +248,8 @@ fn resume_keeps_off_the_clamps_of_the_profile() {
     assert!(!dir.path().join(rest).exists());
     // As the remedy says.
     let _ = fs::copy(dir.path().join(job), dir.path().join("copy.gcode")).expect("copied");
-    let said = done_silently(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
-    assert!(said.contains("whether a clamp is in the way, is unknown"), "{said}");
+    let answer = done_silently(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
+    assert!(answer.contains("whether a clamp is in the way, is unknown"), "{answer}");
 }
 
 #[test]
@@ -289,10 +289,10 @@ fn resume_goes_on_by_line_and_overwrites_nothing() {
     let line =
         1 + before.lines().position(|line| line.starts_with("G1") && line.contains("F6")).expect("a seal");
     let line = (line + 20).to_string();
-    let said = done_silently(dir.path(), &["resume", job, "--line", &line]);
+    let answer = done_silently(dir.path(), &["resume", job, "--line", &line]);
     let target = "out/star-star-1-seal-resume.gcode";
-    assert!(said.contains(&format!("wrote {target}")) && said.contains("same zero"), "{said}");
-    assert!(said.contains("the job is unchanged: its hash is the one in manifest.json"), "{said}");
+    assert!(answer.contains(&format!("wrote {target}")) && answer.contains("same zero"), "{answer}");
+    assert!(answer.contains("the job is unchanged: its hash is the one in manifest.json"), "{answer}");
     let resumed = read(dir.path(), target);
     assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
@@ -446,7 +446,7 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
 fn coupon_writes_programs_numbered_drawings_and_a_table() {
     let dir = workshop();
     let args = ["coupon", "star.toml", "--temperatures", "180 C,200 C", "--speeds", "0.5 mm/s"];
-    let said = done_silently(dir.path(), &args);
+    let answer = done_silently(dir.path(), &args);
     assert_eq!(
         names(&dir.path().join("coupons")),
         [
@@ -467,10 +467,10 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
             "v-actuator.svg",
         ]
     );
-    assert!(said.starts_with("wrote 5 programs and 6 drawings to coupons\n"), "{said}");
+    assert!(answer.starts_with("wrote 5 programs and 6 drawings to coupons\n"), "{answer}");
     assert!(
-        said.contains("look at coupons/strips.svg") && said.contains("calibrate coupons/results.csv"),
-        "{said}"
+        answer.contains("look at coupons/strips.svg") && answer.contains("calibrate coupons/results.csv"),
+        "{answer}"
     );
     let table = read(dir.path(), "coupons/results.csv");
     assert_eq!(table.lines().count(), 1 + 6);
@@ -492,9 +492,9 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
     let before = names(&dir.path().join("coupons"));
     let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
     assert_eq!(names(&dir.path().join("coupons")), before);
-    let said = done_silently(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
+    let answer = done_silently(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
     for name in names(&dir.path().join("again")) {
-        assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
+        assert!(answer.contains(&format!("again/{name}")), "{name}: {answer}");
     }
     let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
 }
@@ -502,11 +502,11 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
 #[test]
 fn coupons_are_proven_as_builds_are() {
     let dir = workshop();
-    let said = done_silently(
+    let answer = done_silently(
         dir.path(),
         &["coupon", "star.toml", "--only", "disc,strips", "--speeds", "0.5 mm/s", "--json"],
     );
-    let json = json_of(&said);
+    let json = json_of(&answer);
     assert_eq!(json["programs"], serde_json::json!(["strips-200C-500um-s.gcode", "disc.gcode"]));
     assert_eq!(json["times"][1]["program"], "disc.gcode");
     assert!(json["times"][1]["time_s"].as_f64().is_some_and(|time| time > 3600.0), "{json}");
@@ -543,8 +543,8 @@ fn coupons_are_proven_as_builds_are() {
         let good = fs::read_to_string(&path).expect("it");
         assert!(good.contains(from), "{name}: {from}");
         fs::write(&path, good.replacen(from, to, 1)).expect("written");
-        let said = verify(1);
-        assert!(said.contains(name) && said.contains(word), "{name}: {said}");
+        let answer = verify(1);
+        assert!(answer.contains(name) && answer.contains(word), "{name}: {answer}");
         fs::write(&path, good).expect("written");
     }
     let _ = verify(0);
@@ -637,8 +637,8 @@ fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
         "`spring_loaded = true`",
     ];
     let _ = fails(dir.path(), &low, 1, &words);
-    let said = done_silently(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
-    assert!(said.contains("wrote 1 program and 1 drawing to coupons"), "{said}");
+    let answer = done_silently(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
+    assert!(answer.contains("wrote 1 program and 1 drawing to coupons"), "{answer}");
 }
 
 #[test]
@@ -694,21 +694,21 @@ fn calibration(text: &str) -> TempDir {
 #[test]
 fn calibrate_chooses_the_fastest_that_holds() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0]), (0.5, &[50.0, 51.0, 49.0])]));
-    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    let answer = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
     for words in
         ["[fabric]\nseal_strength = \"1.920 N/mm\"", "speed = \"0.5 mm/s\"", "temperature = \"200 C\""]
     {
-        assert!(said.contains(words), "{words}: {said}");
+        assert!(answer.contains(words), "{words}: {answer}");
     }
-    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
-    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
-    let said =
+    let answer = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
+    assert!(answer.contains("speed = \"0.1 mm/s\""), "{answer}");
+    let answer =
         done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm", "--margin", "1"]);
-    assert!(said.contains("speed = \"0.5 mm/s\""), "{said}");
+    assert!(answer.contains("speed = \"0.5 mm/s\""), "{answer}");
     // A table as spreadsheets save it.
     let dir = calibration(&format!("\u{feff}{}", table(&[(0.1, &[74.0, 75.0, 76.0])]).replace('\n', "\r\n")));
-    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
-    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
+    let answer = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(answer.contains("speed = \"0.1 mm/s\""), "{answer}");
 }
 
 /// Without a required strength even the weakest seal would pass, so nothing is chosen without one.
@@ -717,21 +717,21 @@ fn calibrate_takes_the_need_from_the_spec_or_asks() {
     let dir = calibration(&table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[50.0, 51.0, 49.0])]));
     let asked = run(dir.path(), &["calibrate", "results.csv"]);
     assert_eq!(asked.status.code(), Some(1));
-    let said = stdout(&asked);
-    let holds: Vec<_> = said.lines().filter_map(|line| line.split_whitespace().last()).collect();
-    assert_eq!(holds, ["holds/(N/mm)", "1.920", "5.920"], "{said}");
-    assert!(said.lines().all(|line| line.starts_with("# ")), "{said}");
+    let answer = stdout(&asked);
+    let holds: Vec<_> = answer.lines().filter_map(|line| line.split_whitespace().last()).collect();
+    assert_eq!(holds, ["holds/(N/mm)", "1.920", "5.920"], "{answer}");
+    assert!(answer.lines().all(|line| line.starts_with("# ")), "{answer}");
     assert!(stderr(&asked).contains("give the required strength by --needed FORCE, or by --spec SPEC"));
     // At 30 kPa the corners of the paper's star pull with k p W = 3.8 * 0.03 * 30 = 3.4 N/mm; 1 kPa is held by every seal.
     for (pressure, speed) in [("30 kPa", "0.1 mm/s"), ("1 kPa", "0.5 mm/s")] {
         let spec = format!("{}[load]\npressure = \"{pressure}\"\n", support::PAPER);
         fs::write(dir.path().join("star.toml"), spec).expect("written");
-        let said = done_silently(
+        let answer = done_silently(
             dir.path(),
             &["calibrate", "results.csv", "--spec", "star.toml", "--margin", "1.2"],
         );
-        assert!(said.contains(&format!("speed = \"{speed}\"")), "{said}");
-        assert!(said.starts_with(&format!("# at {pressure} the seal has to hold ")), "{said}");
+        assert!(answer.contains(&format!("speed = \"{speed}\"")), "{answer}");
+        assert!(answer.starts_with(&format!("# at {pressure} the seal has to hold ")), "{answer}");
     }
     fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
     let args = ["calibrate", "results.csv", "--spec", "star.toml"];
@@ -752,20 +752,20 @@ fn calibrate_covers_the_pull_of_sharp_hinges() {
         let dir = calibration(&table(&[(0.1, &peels)]));
         fs::write(dir.path().join("star.toml"), &spec).expect("written");
         let found = run(dir.path(), &["calibrate", "results.csv", "--spec", "star.toml"]);
-        let said = if found.status.success() { stdout(&found) } else { stderr(&found) };
-        let strength = said.lines().find(|line| line.starts_with("seal_strength")).map(ToOwned::to_owned);
+        let answer = if found.status.success() { stdout(&found) } else { stderr(&found) };
+        let strength = answer.lines().find(|line| line.starts_with("seal_strength")).map(ToOwned::to_owned);
         let Some(strength) = strength else {
             assert!(
-                said.contains("the strongest setting holds") && said.contains("a larger tip_radius"),
-                "{said}"
+                answer.contains("the strongest setting holds") && answer.contains("a larger tip_radius"),
+                "{answer}"
             );
             return None;
         };
         let strong = spec.replace("[load]", &format!("{strength}\n[load]"));
         fs::write(dir.path().join("strong.toml"), strong).expect("written");
         let args = ["check", "strong.toml", "--json"];
-        assert_eq!(json_of(&done_silently(dir.path(), &args))["verdict"]["holds"], true, "{said}");
-        assert!(said.contains("so the margin is "), "{said}");
+        assert_eq!(json_of(&done_silently(dir.path(), &args))["verdict"]["holds"], true, "{answer}");
+        assert!(answer.contains("so the margin is "), "{answer}");
         Some(strength)
     };
     // 14.4 N/mm are 1.5 times the predicted pull.
@@ -788,10 +788,10 @@ fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
     let load = "\n[load]\npressure = \"10 kPa\"\n";
     for (name, more, asked) in [("soft.toml", "", true), ("hard.toml", load, false)] {
         fs::write(dir.path().join(name), format!("{spec}{more}")).expect("written");
-        let said = done_silently(dir.path(), &["coupon", name, "-o", "c", "--only", "strips"]);
-        assert_eq!(said.contains(&format!("write `pressure` into [load] of {name}")), asked, "{said}");
+        let answer = done_silently(dir.path(), &["coupon", name, "-o", "c", "--only", "strips"]);
+        assert_eq!(answer.contains(&format!("write `pressure` into [load] of {name}")), asked, "{answer}");
         let command =
-            said.lines().find_map(|line| line.split_once("then: stargrip-cam ")).expect("a command").1;
+            answer.lines().find_map(|line| line.split_once("then: stargrip-cam ")).expect("a command").1;
         let filled = table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[5.0, 5.1, 4.9])]);
         fs::write(dir.path().join("c/results.csv"), filled).expect("written");
         fs::write(dir.path().join(name), format!("{spec}{load}")).expect("written");
@@ -812,8 +812,8 @@ fn calibrate_reads_many_settings() {
     let settings: Vec<(f64, &[f64])> =
         (1..=40_000).map(|i| (f64::from(i) / 50.0, &[50.0, 50.0, 50.0][..])).collect();
     let dir = calibration(&table(&settings));
-    let said = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
-    assert!(said.contains("speed = \"800 mm/s\""), "{said}");
+    let answer = done_silently(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(answer.contains("speed = \"800 mm/s\""), "{answer}");
 }
 
 #[test]
@@ -923,18 +923,18 @@ fn finds_the_fabric(tip_radius: &str, radius: &str) {
     let angle = predicted["angle_deg"].as_f64().expect("a number").to_string();
     let bench = ["--flat-angle", "60", "--inflated-angle", &angle, "--angle-pressure", "12 kPa"];
     let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], &bench].concat();
-    let said = done_silently(dir.path(), &call);
+    let answer = done_silently(dir.path(), &call);
     // B of 0.3 mm at 128 MPa is 0.340 N mm.
-    assert!(said.contains("[fabric]\n# of the V-actuator at 12 kPa; a degree less or more"), "{said}");
+    assert!(answer.contains("[fabric]\n# of the V-actuator at 12 kPa; a degree less or more"), "{answer}");
     assert!(
-        said.contains("\nbending_stiffness = \"0.340 N mm\"\n") && said.contains("seal_strength"),
-        "{said}"
+        answer.contains("\nbending_stiffness = \"0.340 N mm\"\n") && answer.contains("seal_strength"),
+        "{answer}"
     );
-    assert_eq!(said.matches("[fabric]").count(), 1, "{said}");
+    assert_eq!(answer.matches("[fabric]").count(), 1, "{answer}");
     // At its pressure lambda is that of `section`, for the unchanged fabric.
     assert!(
-        said.contains("# lambda predicted (section): ") && said.contains("; measured is +0.0 %\n"),
-        "{said}"
+        answer.contains("# lambda predicted (section): ") && answer.contains("; measured is +0.0 %\n"),
+        "{answer}"
     );
     let alone = [&["calibrate", "--spec", "spec.toml"][..], &bench].concat();
     let told = done_silently(dir.path(), &alone);
@@ -997,9 +997,9 @@ fn calibrate_compares_lambda_with_the_prediction() {
     let angles =
         [&["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"][..], &needed]
             .concat();
-    let said = done_silently(dir.path(), &angles);
-    assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
-    assert!(said.contains("seal_strength"), "{said}");
+    let answer = done_silently(dir.path(), &angles);
+    assert!(answer.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{answer}");
+    assert!(answer.contains("seal_strength"), "{answer}");
     // The results of the V-actuator do not depend on the strips.
     fs::write(dir.path().join("results.csv"), HEAD).expect("written");
     let thin = run(dir.path(), &angles);

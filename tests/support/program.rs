@@ -31,7 +31,7 @@ pub fn done(dir: &Path, args: &[&str]) -> String {
     stdout_of_success(args, &run(dir, args))
 }
 
-/// Runs a command that must succeed without a word on standard error; returns its standard output.
+/// Runs a command that must succeed and write nothing to standard error; returns its standard output.
 #[track_caller]
 pub fn done_silently(dir: &Path, args: &[&str]) -> String {
     let output = run(dir, args);

@@ -169,7 +169,7 @@ fn hours(seconds: f64) -> String {
 
 fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     // First the bands, each process in its own ink, then what the tool does along them. Cuts, hinges and labels follow, and last the
-    // limits of the machine. Only what is on the sheet has a row, so that nobody looks for a line that is not there; a laser's ramps
+    // limits of the machine. Only what is on the sheet has a row, since a row without its line would mislead; a laser's ramps
     // are called by what they do to its beam.
     let mut block = Block::new("On the sheet");
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));

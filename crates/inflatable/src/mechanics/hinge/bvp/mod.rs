@@ -49,7 +49,7 @@ impl Default for Bvp {
     }
 }
 
-/// `value` brought into a range; what is no number becomes the `minimum`.
+/// `value` brought into a range; NaN becomes the `minimum`.
 fn limited(value: f64, minimum: f64, maximum: f64) -> f64 {
     if value > minimum { value.min(maximum) } else { minimum }
 }
