@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded;
 use stargrip_cam::design::Alignment;
 use stargrip_cam::geom::Point;
@@ -12,6 +12,7 @@ use stargrip_cam::pipeline::{self, Proven, read_mark};
 use crate::build::{Build, publish_into};
 use crate::faults::{of_failure, plain, usage};
 use crate::options::refuse_unknown;
+use crate::workshop::files;
 
 /// The programs of a build, turned and shifted to where its sheet lies now. They have been read back and agree with the design there.
 #[pyclass(frozen, module = "stargrip_cam._native")]
@@ -66,11 +67,7 @@ impl Aligned {
     /// Name and content of every file, the manifest last: the bytes that the command `align` writes.
     #[getter]
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let files = PyDict::new(py);
-        for (name, bytes) in self.proven.built().files() {
-            files.set_item(name, PyBytes::new(py, &bytes))?;
-        }
-        Ok(files)
+        files(py, self.proven.built().files())
     }
 
     /// The number of the sheet, from 1.

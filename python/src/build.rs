@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
+use pyo3::types::{PyDict, PyTuple, PyType};
 use stargrip_cam::answer::proof;
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::cli::embedded;
@@ -23,6 +23,7 @@ use crate::faults::{of_design, of_failure, of_findings, plain};
 use crate::options::refuse_unknown;
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
+use crate::workshop::files;
 
 /// All files of a gripper, in memory. They have been read back and agree with the design; other files cannot be written.
 #[pyclass(frozen, module = "stargrip_cam")]
@@ -109,14 +110,9 @@ impl Build {
     /// Name and content of every file, the manifest last: the bytes that the command writes.
     #[getter]
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let files = self.files.get_or_try_init(py, || {
-            let files = PyDict::new(py);
-            for (name, bytes) in self.proven.built().files() {
-                files.set_item(name, PyBytes::new(py, &bytes))?;
-            }
-            Ok::<_, PyErr>(files.unbind())
-        })?;
-        files.bind(py).copy()
+        let cached =
+            self.files.get_or_try_init(py, || files(py, self.proven.built().files()).map(Bound::unbind))?;
+        cached.bind(py).copy()
     }
 
     /// The manifest, as in `manifest.json`.

@@ -11,15 +11,15 @@ use crate::options::options;
 use crate::spec::Spec;
 
 /// Files by their names, as bytes.
-fn files<B: AsRef<[u8]>>(
+pub(crate) fn files<N: AsRef<str>, B: AsRef<[u8]>>(
     py: Python<'_>,
-    contents: impl IntoIterator<Item = (String, B)>,
+    contents: impl IntoIterator<Item = (N, B)>,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let named = PyDict::new(py);
+    let bytes_by_name = PyDict::new(py);
     for (name, bytes) in contents {
-        named.set_item(name, PyBytes::new(py, bytes.as_ref()))?;
+        bytes_by_name.set_item(name.as_ref(), PyBytes::new(py, bytes.as_ref()))?;
     }
-    Ok(named)
+    Ok(bytes_by_name)
 }
 
 /// The files of test pieces for the machine, the fabric and the tube of `spec`, by name: programs, drawings, and the table to fill in.
