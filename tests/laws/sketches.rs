@@ -612,6 +612,33 @@ fn welds_that_cross_are_split_there() {
     ];
     let faults = refused(&with(&grid));
     assert!(faults.iter().all(|fault| fault.code == ShapeCode::NoPort) && faults.len() == 1, "{faults:?}");
+    // So does one that crosses itself, whether it goes on or ends there.
+    for last in [10.0, 30.0] {
+        let points = [p(40.0, 30.0), p(70.0, 30.0), p(70.0, 45.0), p(55.0, 45.0), p(55.0, last)];
+        let crossing = Sketch { seams: vec![drawn("w", open(&points))], ..with(&[]) };
+        let faults = refused(&crossing);
+        assert!(
+            faults.iter().all(|fault| fault.code == ShapeCode::NoPort) && faults.len() == 1,
+            "{faults:?}"
+        );
+    }
+}
+
+/// The long sides of an island bulge by the rounding of a drawing, as curves of few digits do: the fabric between them is too narrow all
+/// the same.
+#[test]
+fn bulging_sides_face_each_other() {
+    for arrow in [-0.004, 0.0, 0.004] {
+        let side = |from: Point, to: Point| {
+            let arc = Arc::from_bulge(from, to, 2.0 * arrow / from.distance(to));
+            arc.map_or_else(|| Line::new(from, to).into(), Segment::from)
+        };
+        let corners = [p(40.0, 20.0), p(60.0, 20.0), p(60.0, 22.4), p(40.0, 22.4)];
+        let sides = (0..4).map(|k| side(corners[k], corners[(k + 1) % 4])).collect();
+        let air = vec![("r", rectangle(0.0, 0.0, 100.0, 60.0)), ("i", Path::closed(sides))];
+        let faults = refused(&sketch(air, vec![port(0.0, 30.0)]));
+        assert!(faults.iter().any(|fault| fault.code == ShapeCode::BandsOverlap), "{arrow}: {faults:#?}");
+    }
 }
 
 #[test]

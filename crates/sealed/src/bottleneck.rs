@@ -18,6 +18,9 @@ const ONE: f64 = 1e-7;
 const ALIKE: f64 = 1e-6;
 /// Sides are parallel but for the rounding of a drawing if the width between them changes by at most this, mm, and by a tenth of it.
 const ROUNDED: f64 = 0.02;
+/// A side bulges by the rounding of a drawing if its arrow is at most half of [`ROUNDED`] and this part of the width. On a circle of many
+/// arcs, chords are nearer than the arcs, and [`AROUND`] allows for less than three times as much.
+const BULGE: f64 = 0.01;
 /// Largest sine of the angle between such sides.
 const SLIGHT: f64 = 0.02;
 /// Points of one curve face each other if the way between them along it is longer than this many widths. Half around a spot it is shorter,
@@ -280,20 +283,44 @@ fn on_arc(arc: &Arc, way: Vec2) -> Option<Point> {
 }
 
 /// The pairs inside both segments.
+///
+/// A side of curves that a drawing rounds bulges by a few micrometres, inwards or outwards. Where sides that bulge face each other nowhere at
+/// a right angle, their chords may.
 fn inner_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
+    let mut is_seen = false;
+    let mut note = |p, q| {
+        is_seen = true;
+        see(p, q);
+    };
     match (a, b) {
-        (Segment::Line(p), Segment::Line(q)) => {
-            let (t, u) = (p.nearest_fraction(q.start), p.nearest_fraction(q.end));
-            let (slope, shared) = (p.direction().cross(q.direction()).abs(), (t - u).abs() * p.length());
-            let middle = p.start.lerp(p.end, f64::midpoint(t, u));
-            let foot = q.start.lerp(q.end, q.nearest_fraction(middle));
-            if shared > ONE && slope <= SLIGHT && is_rounding(slope * shared, middle, foot) {
-                see(middle, foot);
+        (Segment::Line(p), Segment::Line(q)) => line_line(p, q, &mut note),
+        (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, &mut note),
+        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| note(q, p)),
+        (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, &mut note),
+    }
+    if !is_seen && (arc_of(a).is_some() || arc_of(b).is_some()) {
+        let [p, q] = [a, b].map(|segment| Line::new(segment.start(), segment.end()));
+        let largest_arrow = arrow(a).max(arrow(b));
+        line_line(&p, &q, &mut |p, q| {
+            if largest_arrow <= (ROUNDED / 2.0).min(BULGE * p.distance(q)) {
+                see(p, q);
             }
-        }
-        (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, see),
-        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| see(q, p)),
-        (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, see),
+        });
+    }
+}
+
+/// How far the middle of a segment lies from that of its chord, mm.
+fn arrow(segment: &Segment) -> f64 {
+    segment.point(0.5).distance(segment.start().midpoint(segment.end()))
+}
+
+fn line_line(p: &Line, q: &Line, see: &mut impl FnMut(Point, Point)) {
+    let (t, u) = (p.nearest_fraction(q.start), p.nearest_fraction(q.end));
+    let (slope, shared) = (p.direction().cross(q.direction()).abs(), (t - u).abs() * p.length());
+    let middle = p.start.lerp(p.end, f64::midpoint(t, u));
+    let foot = q.start.lerp(q.end, q.nearest_fraction(middle));
+    if shared > ONE && slope <= SLIGHT && is_rounding(slope * shared, middle, foot) {
+        see(middle, foot);
     }
 }
 

@@ -143,7 +143,10 @@ fn measured(
     let stated = sizes(lengths, page_box, &millimetres);
     let unit = match collector.options.unit {
         Some(unit) => Some(unit),
-        None => unstated(Writer::read(root, head), lengths, page_box, stated.is_some(), collector)?,
+        None => {
+            let lack = stated.is_none().then(|| lack_of_size(root));
+            unstated(Writer::read(root, head), lengths, page_box, lack, collector)?
+        }
     };
     let size = match unit {
         Some(unit) => sizes(lengths, page_box, &|length| by_unit(length, unit, page_box.is_some())),
@@ -182,6 +185,17 @@ fn measured(
     }
     collector.drawing.unit_mm = unit_mm;
     Ok((map, Viewport(view)))
+}
+
+/// Why a page has no physical size: an attribute that is no length is named.
+fn lack_of_size(root: Node<'_, '_>) -> String {
+    let attributes = ["width", "height"].map(|name| (name, root.attribute(name)));
+    let faulty = attributes.into_iter().find_map(|(name, value)| {
+        let beginning: String = value.filter(|value| parsed(value).is_none())?.chars().take(20).collect();
+        Some(format!("the {name} is \"{beginning}\", which is no length with mm, cm, Q, in, pt, pc or px"))
+    });
+    let lack = faulty.unwrap_or_else(|| "width and height have no unit".to_owned());
+    format!("The drawing has no physical size: {lack}.")
 }
 
 /// A length of the page by a unit that replaces its own, mm; without a view box lengths with a unit of their own keep it.
@@ -238,31 +252,28 @@ impl Writer {
 /// The unit of a file for which the caller gives none; `None` where the file states its size.
 ///
 /// A unit that follows from the program is taken with a note where plain numbers have no other meaning, and left to the caller where
-/// the file could mean 1/96 in as well.
+/// the file could mean 1/96 in as well. `lack` says why the file states no size.
 fn unstated(
     writer: Writer,
     lengths: [Option<Length>; 2],
     page_box: Option<ViewBox>,
-    is_stated: bool,
+    lack: Option<String>,
     collector: &mut Collector<'_>,
 ) -> Result<Option<Unit>, Finding> {
+    let is_stated = lack.is_none();
     let in_pixels = lengths.iter().flatten().any(|length| length.unit == LengthUnit::Px);
     let sized = lengths.iter().flatten().any(|length| length.unit != LengthUnit::Percent);
-    let doubt = match writer {
-        Writer::OldInkscape if in_pixels || !is_stated || page_box.is_none() => Some((
-            Unit::OldPixel,
-            "Inkscape before 0.92 wrote it: its unit is 1/90 in where it was not changed since.",
-        )),
-        Writer::Illustrator if in_pixels => {
-            Some((Unit::Point, "Illustrator wrote it: its px is 1/72 in, not 1/96 in."))
+    let doubt = match (writer, lack) {
+        (Writer::OldInkscape, lack) if in_pixels || lack.is_some() || page_box.is_none() => {
+            let reason = "Inkscape before 0.92 wrote it: its unit is 1/90 in where it was not changed since.";
+            Some((Unit::OldPixel, reason.to_owned()))
         }
-        Writer::Unknown if !is_stated => {
-            Some((Unit::Millimetre, "The drawing has no physical size: width and height have no unit."))
+        (Writer::Illustrator, _) if in_pixels => {
+            Some((Unit::Point, "Illustrator wrote it: its px is 1/72 in, not 1/96 in.".to_owned()))
         }
-        Writer::Illustrator if !is_stated && page_box.is_none() => {
-            Some((Unit::Point, "The drawing has no physical size: width and height have no unit."))
-        }
-        Writer::Illustrator | Writer::Inkscape | Writer::OldInkscape | Writer::Unknown => None,
+        (Writer::Unknown, Some(lack)) => Some((Unit::Millimetre, lack)),
+        (Writer::Illustrator, Some(lack)) if page_box.is_none() => Some((Unit::Point, lack)),
+        (Writer::Illustrator | Writer::Inkscape | Writer::OldInkscape | Writer::Unknown, _) => None,
     };
     if let Some((unit, reason)) = doubt {
         if collector.options.assume {
@@ -280,7 +291,7 @@ fn unstated(
                 unit.name()
             ),
         };
-        return Err((reason.to_owned(), remedy));
+        return Err((reason, remedy));
     }
     if is_stated {
         return Ok(None);

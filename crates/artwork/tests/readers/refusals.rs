@@ -129,6 +129,9 @@ fn a_size_without_a_unit_is_a_fault_and_a_given_unit_wins() {
         let Figure::Path(path) = &drawing.elements[0].figure else { panic!("a path") };
         assert_eq!(path.length(), 1.0, "{size}");
     }
+    let text = b"<svg width='14m' height='3m' viewBox='0 0 5 5'><path d='M0 0h1'/></svg>";
+    let faults = read_svg(text, &Options::new(0.01)).expect_err("m is no unit of SVG");
+    assert!(faults[0].text.contains("the width is \"14m\", which is no length with mm"), "{faults:?}");
     for (size, unit_mm) in
         [("width='96px' height='96px'", 25.4 / 96.0), ("width='1in' viewBox='0 0 10 10'", 2.54)]
     {
