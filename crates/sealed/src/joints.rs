@@ -129,6 +129,14 @@ fn mouths(shape: &SealedShape, free: &[SeamEnd]) -> Vec<MouthEnds> {
     mouths
 }
 
+/// Whether the band of a seam other than number `seam` covers `p`. Ends of one seam that only touch each other are sealed nowhere twice,
+/// unless such a band goes over them.
+pub(super) fn is_under_another(shape: &SealedShape, seam: usize, p: Point) -> bool {
+    let reach = shape.band / 2.0 + SLACK;
+    let mut others = shape.seams.iter().enumerate().filter(|(number, _)| *number != seam);
+    others.any(|(_, other)| other.center_line.distance(p) <= reach)
+}
+
 /// The crossings of seams, except where one ends on the other: their places by pairs of seams, the same twice for one with itself.
 pub(super) fn meetings(shape: &SealedShape, joints: &Joints) -> BTreeMap<[usize; 2], Vec<Point>> {
     let segments = Segments::new(shape.seams.iter().map(|seam| &seam.center_line));

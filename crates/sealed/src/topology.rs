@@ -5,7 +5,7 @@
 //! inside it are its islands. All that keeps the curves from doing so is a leak.
 
 use crate::graph::{GraphEdge, walk_path, walks};
-use crate::joints::{Joints, MouthEnds, meetings};
+use crate::joints::{Joints, MouthEnds, is_under_another, meetings};
 use crate::mouth::ON_SIDE;
 use crate::network::{Network, network};
 use crate::pieces::Piece;
@@ -106,7 +106,7 @@ impl SealedShape {
             }));
             let ends = path.start().zip(path.end());
             if let (Role::Boundary, false, Some((start, end))) = (seam.role, path.closed, ends) {
-                let ends_touch = start.distance(end) <= SLACK && !self.has_band_beside(i, start);
+                let ends_touch = start.distance(end) <= SLACK && !is_under_another(self, i, start);
                 if ends_touch || !joints.is_shut(i, 0) {
                     leaks.push(Leak::Open(i, [start, end]));
                 } else if !joints.is_shut(i, 1) {
@@ -122,14 +122,6 @@ impl SealedShape {
             }
         }
         leaks
-    }
-
-    /// Whether the band of a seam other than number `seam` covers `p`. Ends of one seam that only touch each other are sealed nowhere twice,
-    /// unless such a band goes over them.
-    fn has_band_beside(&self, seam: usize, p: Point) -> bool {
-        let reach = self.band / 2.0 + SLACK;
-        let mut others = self.seams.iter().enumerate().filter(|(number, _)| *number != seam);
-        others.any(|(_, other)| other.center_line.distance(p) <= reach)
     }
 
     /// The width between the bands at port number `port`, mm; `None` if it is sealed.
