@@ -5,8 +5,8 @@
 
 use std::sync::OnceLock;
 
-use tiny_skia::PathBuilder;
 use ttf_parser::{GlyphId, OutlineBuilder, RawFace, Tag, cmap, glyf, head, hhea, hmtx, loca, maxp};
+use zeno::{Command, Vector};
 
 use geom::{Point, Vec2};
 use program::number::single;
@@ -68,8 +68,8 @@ pub(super) fn width(text: &str) -> f64 {
 }
 
 /// Traces the outlines of the letters of `text`, whose base line begins at `start`, in type of `size`; Y down.
-pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
-    let mut path = PathBuilder::new();
+pub(super) fn trace(text: &str, start: Point, size: f64) -> Vec<Command> {
+    let mut path = Vec::new();
     let Some(face) = Typeface::read() else { return path };
     let mut distance = 0.0;
     for c in text.chars() {
@@ -88,31 +88,31 @@ struct Letter<'a> {
     /// Distance of the letter from the start, by the type's size.
     at: f64,
     scale: f64,
-    path: &'a mut PathBuilder,
+    path: &'a mut Vec<Command>,
 }
 
 impl Letter<'_> {
-    fn place(&self, x: f32, y: f32) -> (f32, f32) {
+    fn place(&self, x: f32, y: f32) -> Vector {
         let (x, y) = (self.at + f64::from(x) * self.scale, f64::from(y) * self.scale);
         let p = self.start + Vec2::new(x, -y) * self.size;
-        (single(p.x), single(p.y))
+        Vector::new(single(p.x), single(p.y))
     }
 }
 
 impl OutlineBuilder for Letter<'_> {
     fn move_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.path.move_to(x, y);
+        let place = self.place(x, y);
+        self.path.push(Command::MoveTo(place));
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.path.line_to(x, y);
+        let place = self.place(x, y);
+        self.path.push(Command::LineTo(place));
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
-        self.path.quad_to(x1, y1, x, y);
+        let (control, place) = (self.place(x1, y1), self.place(x, y));
+        self.path.push(Command::QuadTo(control, place));
     }
 
     /// The outlines of a TrueType face have none.
@@ -121,7 +121,7 @@ impl OutlineBuilder for Letter<'_> {
     }
 
     fn close(&mut self) {
-        self.path.close();
+        self.path.push(Command::Close);
     }
 }
 
