@@ -141,12 +141,11 @@ fn measured(
         }
     }
     let stated = sizes(lengths, page_box, &millimetres);
-    let unit = match collector.options.unit {
-        Some(unit) => Some(unit),
-        None => {
-            let lack = stated.is_none().then(|| lack_of_size(root));
-            unstated(Writer::read(root, head), lengths, page_box, lack, collector)?
-        }
+    let unit = if let Some(unit) = collector.options.unit {
+        Some(unit)
+    } else {
+        let lack = stated.is_none().then(|| lack_of_size(root));
+        unstated(Writer::read(root, head), lengths, page_box, lack, collector)?
     };
     let size = match unit {
         Some(unit) => sizes(lengths, page_box, &|length| by_unit(length, unit, page_box.is_some())),
