@@ -293,6 +293,53 @@ fn rigid_parts_have_the_size_of_the_design() {
     }
 }
 
+/// The ends of a measure on the inflated fabric are as far apart as the prediction says; without the shell there is none.
+#[test]
+fn a_measure_lies_on_the_inflated_fabric() {
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"p\"]\n\
+                measure = [\"m\"]\n[load]\npressure = \"5 kPa\"\n[accuracy]\nmodel = \"MODEL\"\n";
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\">\
+               <g id=\"a\"><rect x=\"20\" y=\"20\" width=\"40\" height=\"40\"/></g><g id=\"p\"><path d=\"M40 16V24\"/></g>\
+               <g id=\"m\"><path id=\"across\" d=\"M25 40H55\"/><circle id=\"top\" cx=\"40\" cy=\"40\" r=\"1\"/></g></svg>";
+    for model in ["shell", "auto"] {
+        let text = text.replace("MODEL", model);
+        let reading =
+            stargrip_cam::spec::read(&stargrip_cam::spec::Source::new("x", text.as_str())).expect("a spec");
+        let sources = Sources { spec: &text, machine: support::generic() };
+        let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::SceneGlb] };
+        let spec = reading.with_drawing(svg.as_bytes()).spec;
+        let made = pipeline::build(&spec, &support::machine(), sources, &request).expect("a pouch");
+        let nodes = read_glb(&bytes(&made)).expect("a GLB");
+        let shown = nodes.iter().filter(|node| node.name.starts_with("measures/"));
+        let names: Vec<&str> = shown.map(|node| node.name.as_str()).collect();
+        let expected: &[&str] = if model == "shell" { &["measures/across", "measures/top"] } else { &[] };
+        assert_eq!(names, expected);
+        if names.is_empty() {
+            continue;
+        }
+        let wire = part(&nodes, "measures/across", "measure");
+        // Four corners around each end.
+        let middle =
+            |corners: &[[f64; 3]]| [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 4.0);
+        let ends = |points: &[[f64; 3]]| [middle(&points[..4]), middle(&points[points.len() - 4..])];
+        let distance = |[a, b]: [[f64; 3]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
+        let predicted = &made.forecast.drawn.as_ref().expect("inflated").prediction.measures[0];
+        let predicted = predicted.distance_mm.expect("measured");
+        assert!((distance(ends(&wire.points)) - 30.0).abs() < 2e-3, "{:?}", ends(&wire.points));
+        let inflated = distance(ends(&wire.inflated));
+        assert!(
+            (inflated - predicted.finest_mesh.expect("inflated")).abs() < 2e-3,
+            "{inflated} {predicted:?}"
+        );
+        // On top of the fabric: as high as the corner of the fabric that is nearest to the middle.
+        let top = part(&nodes, "measures/top", "measure").inflated.iter().map(|p| p[2]).fold(0.0, f64::max);
+        let fabric = &part(&nodes, "pieces/piece", "tube").inflated;
+        let highest = fabric.iter().map(|p| p[2]).fold(0.0, f64::max);
+        assert!((top - highest).abs() < 1.5, "{top} {highest}");
+        assert!(volume(wire) > 0.0, "its triangles face inwards");
+    }
+}
+
 /// Volume inside of the triangles, mm^3, which all face outwards.
 fn volume(part: &GlbPart) -> f64 {
     let sixfold = |[a, b, c]: &[usize; 3]| {
