@@ -26,7 +26,7 @@ function inflatedSizes() {
   return listed([...new Set(sizes.map((one) => [...one.extents_mm, one.height_mm].map(({ value }) => number(value)).join(" × ")))]);
 }
 
-/** "242 × 102 mm", the size of the first piece on the sheet. */
+// "242 × 102 mm".
 function flatSize() {
   const points = corners(data.parts[0].outside);
   const side = (axis) => Math.max(...points.map((point) => point[axis])) - Math.min(...points.map((point) => point[axis]));
@@ -86,7 +86,7 @@ function showChambers() {
   showMeasures();
 }
 
-/** The quantities of a measure in the order of their weight: [name, flat, inflated, unit], to thousandths, below which a mesh has noise. */
+// Of a measure [name, flat, inflated, unit], to thousandths: below is noise.
 function quantities(measure) {
   const round = (value) => Math.round(1000 * value) / 1000;
   const words = { radius_mm: "radius", angle_deg: "angle", distance_mm: "distance", height_mm: "height", direction_deg: "direction", x_mm: "x", y_mm: "y" };
@@ -96,7 +96,7 @@ function quantities(measure) {
   ]);
 }
 
-/** "across: distance 40 mm", flat or inflated; on the way, at another `share` of the inflation than 0 or 1, the name alone. */
+// "across: distance 40 mm", flat or inflated; between them the name alone.
 function measureWords(name, share) {
   const [[word, flat, inflated, unit]] = quantities(drawn.measures.find(({ measure }) => measure === name));
   return share > 0 && share < 1 ? name : `${name}: ${word} ${figure(share ? inflated && inflated.value : flat, unit)}`;

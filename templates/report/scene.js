@@ -129,15 +129,21 @@ function paint() {
   canvas.dataset.drawn = String(solid.drawn);
 }
 
-/** Puts the first quantity of each measure beside its middle. */
+// Each measure has its first quantity at its middle, or below others.
 function labelMeasures(parts, view) {
+  const { clientWidth: width, clientHeight: height } = solid.gl.canvas;
+  const placed = [];
   at("solid-labels").replaceChildren(...parts.filter((part) => part.group === "measures").map(({ name, points, moves, matrix }) => {
     const middle = 3 * Math.floor(points.length / 6);
     const place = [0, 1, 2].map((axis) => points[middle + axis] + solid.inflated * moves[middle + axis]);
     const clip = times(times(view, matrix), [...place, 1, ...new Array(12).fill(0)]);
-    const label = make("span", {}, measureWords(name, solid.inflated));
-    label.style.left = `${50 + (50 * clip[0]) / clip[3]}%`;
-    label.style.top = `${50 - (50 * clip[1]) / clip[3]}%`;
+    const words = measureWords(name, solid.inflated);
+    const [x, middleY] = [(width / 2) * (1 + clip[0] / clip[3]), (height / 2) * (1 - clip[1] / clip[3])];
+    let y = middleY;
+    while (placed.some((other) => Math.abs(other.x - x) < 4 * (other.length + words.length) && Math.abs(other.y - y) < 22)) y += 22;
+    placed.push({ x, y, length: words.length });
+    const label = make("span", {}, words);
+    Object.assign(label.style, { left: `${x}px`, top: `${y}px` });
     return label;
   }));
 }

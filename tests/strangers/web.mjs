@@ -135,10 +135,6 @@ async function bounded(page, what) {
     await page.waitForTimeout(300);
     const parts = (await page.locator("#fault .remedy").allInnerTexts()).filter((text) => !/ mass = "[\d.]+ kg"$/.test(text));
     must(parts.length === 0, `${what}: for a mass the page offers ${parts}`);
-    await page.fill("#spec", "");
-    await page.waitForFunction(() => document.getElementById("faults").textContent.includes("there is neither [star]"));
-    const faults = await page.innerText("#faults");
-    must(/^\[star\]\npoints = 5$/m.test(faults) && !faults.includes("stargrip-cam"), `${what}: an empty text is answered ${faults}`);
     await page.fill("#spec", before);
     await ready(page);
 }

@@ -19,8 +19,8 @@ use program::number::single;
 const CHORD: f64 = 0.045;
 /// Height of ribbons over the fabric that they lie on, mm, so that they are seen.
 const ABOVE: f64 = 0.3;
-/// Pieces of a wire, so that it lies on a curved surface: of 2.5 mm if it is 120 mm long.
-const WIRE_STEPS: u32 = 48;
+/// Pieces of a wire, times its points, so that it lies on a curved surface: a line of 120 mm has pieces of 2.5 mm.
+const WIRE_STEPS: u32 = 96;
 
 /// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -131,7 +131,7 @@ impl Mesh {
     /// A wire of `radius` along `points` on the upper sheet of this fabric, which carries it: a square across, with an edge on top.
     pub(super) fn wire(&self, points: &[Point], radius: f64) -> Self {
         let mut wire = Self::default();
-        let step_count = (WIRE_STEPS / index(points.len()).saturating_sub(1).max(1)).max(1);
+        let step_count = (WIRE_STEPS / index(points.len().max(1))).max(1);
         for pair in points.windows(2) {
             let side = (pair[1] - pair[0]).normalized().perp() * radius;
             let around =
@@ -154,8 +154,8 @@ impl Mesh {
         wire
     }
 
-    /// The place to which the fabric carries a point of its upper sheet when it inflates: linear in the triangle that holds the point; of a
-    /// point beside the fabric, on the edge of the nearest one. Triangles of the lower sheet are clockwise.
+    /// The place to which the fabric carries a point of its upper sheet when it inflates: linear in the triangle that holds the point, or is
+    /// nearest to it. Triangles of the lower sheet are clockwise.
     fn carried(&self, place: Point) -> [f64; 3] {
         let (mut nearest, mut carried) = (f64::NEG_INFINITY, [place.x, place.y, 0.0]);
         for triangle in &self.triangles {
@@ -168,12 +168,8 @@ impl Mesh {
             let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
             if area > 0.0 && least > nearest {
                 nearest = least;
-                let shares = shares.map(|share| share.max(0.0));
-                let sum: f64 = shares.iter().sum();
                 let corners = triangle.map(|corner| self.inflated[corner as usize]);
-                carried = std::array::from_fn(|axis| {
-                    corners.iter().zip(shares).map(|(corner, share)| share * corner[axis]).sum::<f64>() / sum
-                });
+                carried = std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum());
             }
         }
         carried
