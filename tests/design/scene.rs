@@ -308,10 +308,10 @@ fn a_measure_lies_on_the_inflated_fabric() {
         let sources = Sources { spec: &text, machine: support::generic() };
         let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::SceneGlb] };
         let spec = reading.with_drawing(svg.as_bytes()).spec;
-        let made = pipeline::build(&spec, &support::machine(), sources, &request).expect("a pouch");
-        let nodes = read_glb(&bytes(&made)).expect("a GLB");
-        let shown = nodes.iter().filter(|node| node.name.starts_with("measures/"));
-        let names: Vec<&str> = shown.map(|node| node.name.as_str()).collect();
+        let build = pipeline::build(&spec, &support::machine(), sources, &request).expect("a pouch");
+        let nodes = read_glb(&bytes(&build)).expect("a GLB");
+        let measure_nodes = nodes.iter().filter(|node| node.name.starts_with("measures/"));
+        let names: Vec<&str> = measure_nodes.map(|node| node.name.as_str()).collect();
         let expected: &[&str] = if model == "shell" { &["measures/across", "measures/top"] } else { &[] };
         assert_eq!(names, expected);
         if names.is_empty() {
@@ -323,13 +323,13 @@ fn a_measure_lies_on_the_inflated_fabric() {
             |corners: &[[f64; 3]]| [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 4.0);
         let ends = |points: &[[f64; 3]]| [middle(&points[..4]), middle(&points[points.len() - 4..])];
         let distance = |[a, b]: [[f64; 3]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
-        let predicted = &made.forecast.drawn.as_ref().expect("inflated").prediction.measures[0];
+        let predicted = &build.forecast.drawn.as_ref().expect("inflated").prediction.measures[0];
         let predicted = predicted.distance_mm.expect("measured");
         assert!((distance(ends(&wire.points)) - 30.0).abs() < 2e-3, "{:?}", ends(&wire.points));
-        let inflated = distance(ends(&wire.inflated));
+        let inflated_distance = distance(ends(&wire.inflated));
         assert!(
-            (inflated - predicted.finest_mesh.expect("inflated")).abs() < 2e-3,
-            "{inflated} {predicted:?}"
+            (inflated_distance - predicted.finest_mesh.expect("inflated")).abs() < 2e-3,
+            "{inflated_distance} {predicted:?}"
         );
         // On top of the fabric: as high as the corner of the fabric that is nearest to the middle.
         let top = part(&nodes, "measures/top", "measure").inflated.iter().map(|p| p[2]).fold(0.0, f64::max);

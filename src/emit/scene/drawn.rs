@@ -34,16 +34,16 @@ pub fn drawn_scene(
     let middle = bounds.center();
     let rise =
         inflated.iter().flat_map(|surface| &surface.points).map(|[_, _, z]| mm(*z)).fold(0.0, f64::max);
-    let at = [-middle.x, -middle.y, rise];
+    let origin = [-middle.x, -middle.y, rise];
     let (parts, measure_nodes) = if inflated.is_empty() {
         (flat(pieces, spec.seal.band.0)?, Vec::new())
     } else {
         let fabric = surface(inflated);
-        let measure_nodes = measures(&mut glb, &pieces.measures, &fabric, at);
+        let measure_nodes = measures(&mut glb, &pieces.measures, &fabric, origin);
         (vec![(SceneSurface::Tube, fabric)], measure_nodes)
     };
     let mesh = glb.mesh("fabric of a piece", &parts);
-    let node = Node { name: "piece".to_owned(), mesh, at, turn: 0.0 };
+    let node = Node { name: "piece".to_owned(), mesh, at: origin, turn: 0.0 };
     let reach = 0.5 * bounds.width().max(bounds.height());
     let bands = [(SceneSurface::OuterBand, Layer::Seal)];
     let sheet_nodes = sheets(&mut glb, design, (reach, spec.seal.band.0), &bands)?;
@@ -53,8 +53,8 @@ pub fn drawn_scene(
     Some(glb.finish(&spec.name, &groups, surface_count))
 }
 
-/// Each of the `measures` as a wire on the inflating `fabric`, by its name, the fabric's origin being `at`.
-fn measures(glb: &mut Glb, measures: &[Measure], fabric: &Mesh, at: [f64; 3]) -> Vec<Node> {
+/// Each of the `measures` as a wire on the inflating `fabric`, by its name; the fabric lies at `origin`.
+fn measures(glb: &mut Glb, measures: &[Measure], fabric: &Mesh, origin: [f64; 3]) -> Vec<Node> {
     let node = |measure: &Measure| {
         let wire = match measure.form.points() {
             [point] => {
@@ -64,7 +64,7 @@ fn measures(glb: &mut Glb, measures: &[Measure], fabric: &Mesh, at: [f64; 3]) ->
             points => fabric.wire(points, WIRE),
         };
         let mesh = glb.mesh(&measure.name, &[(SceneSurface::Measure, wire)]);
-        Node { name: measure.name.clone(), mesh, at, turn: 0.0 }
+        Node { name: measure.name.clone(), mesh, at: origin, turn: 0.0 }
     };
     measures.iter().map(node).collect()
 }

@@ -134,15 +134,15 @@ impl Mesh {
         let step_count = (WIRE_STEPS / index(points.len().max(1))).max(1);
         for pair in points.windows(2) {
             let side = (pair[1] - pair[0]).normalized().perp() * radius;
-            let around =
+            let section =
                 [[side.x, side.y, 0.0], [0.0, 0.0, radius], [-side.x, -side.y, 0.0], [0.0, 0.0, -radius]];
             let mut piece = Self::default();
             for step in 0..=step_count {
                 let place = pair[0].lerp(pair[1], f64::from(step) / f64::from(step_count));
-                let carried = self.carried(place);
-                for [x, y, z] in around {
+                let position = self.carried(place);
+                for [x, y, z] in section {
                     piece.points.push([place.x + x, place.y + y, z]);
-                    piece.inflated.push([carried[0] + x, carried[1] + y, carried[2] + z]);
+                    piece.inflated.push([position[0] + x, position[1] + y, position[2] + z]);
                 }
             }
             for (ring, corner) in (0..step_count).flat_map(|ring| (0..4).map(move |corner| (ring, corner))) {
@@ -157,7 +157,7 @@ impl Mesh {
     /// The place to which the fabric carries a point of its upper sheet when it inflates: linear in the triangle that holds the point, or is
     /// nearest to it. Triangles of the lower sheet are clockwise.
     fn carried(&self, place: Point) -> [f64; 3] {
-        let (mut nearest, mut carried) = (f64::NEG_INFINITY, [place.x, place.y, 0.0]);
+        let (mut least_share, mut position) = (f64::NEG_INFINITY, [place.x, place.y, 0.0]);
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|corner| {
                 let [x, y, _] = self.points[corner as usize];
@@ -165,14 +165,14 @@ impl Mesh {
             });
             let area = (b - a).cross(c - a);
             let shares = [(b, c), (c, a), (a, b)].map(|(from, to)| (from - place).cross(to - place) / area);
-            let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
-            if area > 0.0 && least > nearest {
-                nearest = least;
+            let share = shares.iter().copied().fold(f64::INFINITY, f64::min);
+            if area > 0.0 && share > least_share {
+                least_share = share;
                 let corners = triangle.map(|corner| self.inflated[corner as usize]);
-                carried = std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum());
+                position = std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum());
             }
         }
-        carried
+        position
     }
 
     fn flat(buffers: &Buffers, z: f64) -> Self {
