@@ -318,15 +318,10 @@ fn a_measure_lies_on_the_inflated_fabric() {
             continue;
         }
         let wire = part(&nodes, "measures/across", "measure");
-        // Four corners around each end.
-        let middle =
-            |corners: &[[f64; 3]]| [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 4.0);
-        let ends = |points: &[[f64; 3]]| [middle(&points[..4]), middle(&points[points.len() - 4..])];
-        let distance = |[a, b]: [[f64; 3]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
         let predicted = &build.forecast.drawn.as_ref().expect("inflated").prediction.measures[0];
         let predicted = predicted.distance_mm.expect("measured");
-        assert!((distance(ends(&wire.points)) - 30.0).abs() < 2e-3, "{:?}", ends(&wire.points));
-        let inflated_distance = distance(ends(&wire.inflated));
+        assert!((wire_span(&wire.points) - 30.0).abs() < 2e-3, "{}", wire_span(&wire.points));
+        let inflated_distance = wire_span(&wire.inflated);
         assert!(
             (inflated_distance - predicted.finest_mesh.expect("inflated")).abs() < 2e-3,
             "{inflated_distance} {predicted:?}"
@@ -338,6 +333,12 @@ fn a_measure_lies_on_the_inflated_fabric() {
         assert!((top - highest).abs() < 1.5, "{top} {highest}");
         assert!(volume(wire) > 0.0, "its triangles face inwards");
     }
+}
+
+/// Distance of the ends of a straight wire, which has four corners around each: from the first corner to its like at the other end.
+fn wire_span(points: &[[f64; 3]]) -> f64 {
+    let (first, last) = (points[0], points[points.len() - 4]);
+    (first[0] - last[0]).hypot(first[1] - last[1]).hypot(first[2] - last[2])
 }
 
 /// Volume inside of the triangles, mm^3, which all face outwards.
