@@ -119,6 +119,8 @@ def test_files_that_are_not_there_are_pythons_own_errors(tmp_path: Path) -> None
         sg.verify(tmp_path / "none")
     with pytest.raises(sg.Error, match="is not a build"):
         sg.verify(tmp_path)
+    with pytest.raises(TypeError, match="not int"):
+        sg.verify(3)  # type: ignore[arg-type]
 
 
 def test_exceptions_travel_between_processes() -> None:

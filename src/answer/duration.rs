@@ -5,7 +5,7 @@ use design::PressPlan;
 use program::plan::{ProcessTime, Program, process_times};
 use spec::SealProcess;
 
-/// Temperature or power, speed and time of every process: "weak at 170 C and 2 mm/s, 0 h 03 min; then seal at ...".
+/// Temperature or power, speed and time of every process: "weak at 170 C and 2 mm/s, 3 min; then seal at ...".
 pub fn processes_in_words(programs: &[Program]) -> Option<String> {
     let in_words = |time: ProcessTime<'_>| {
         let SealProcess { name, seal, .. } = time.process;
@@ -27,8 +27,11 @@ pub fn sealing_in_words(forecast: &Forecast) -> String {
     plan.map_or_else(|| hours(sealing_time(forecast)), |(press, plan)| plan.in_words(press))
 }
 
-/// "13 h 02 min"
+/// "13 h 02 min", "22 min"
 pub fn hours(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round();
+    if minutes < 60.0 {
+        return format!("{minutes} min");
+    }
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }

@@ -65,12 +65,13 @@ pub(super) enum SceneSurface {
     Plate,
     Post,
     Object,
+    Measure,
 }
 
-/// The surfaces of a scene of stars, in the order of their materials. For each its name, its colour (as screens have it, red, green,
+/// The surfaces of scenes, in the order of the materials of stars, which all but the last may have. For each its name, its colour (as screens have it, red, green,
 /// blue) and its opacity: below 1, surfaces behind it shine through. Fabric and tube are as in the preview, bands in colours that can be
 /// distinguished.
-pub(super) const SURFACES: [(SceneSurface, &str, [u8; 3], f64); 9] = [
+pub(super) const SURFACES: [(SceneSurface, &str, [u8; 3], f64); 10] = [
     (SceneSurface::Fabric, "fabric", [0xdf, 0xe6, 0xee], 1.0),
     (SceneSurface::Tube, "tube", [0x9c, 0xc3, 0xe6], 1.0),
     (SceneSurface::InnerBand, "inner band", [0xe8, 0xa3, 0x3d], 1.0),
@@ -80,7 +81,10 @@ pub(super) const SURFACES: [(SceneSurface, &str, [u8; 3], f64); 9] = [
     (SceneSurface::Plate, "plate", [0xb0, 0xb0, 0xb0], 0.35),
     (SceneSurface::Post, "post", [0x60, 0x60, 0x60], 1.0),
     (SceneSurface::Object, "object", [0xf3, 0xdd, 0xb4], 1.0),
+    (SceneSurface::Measure, "measure", [0x7b, 0x3f, 0xa0], 1.0),
 ];
+/// Number of surfaces that a scene of stars may have.
+pub(super) const STAR_SURFACES: usize = SURFACES.len() - 1;
 
 /// A colour as lights add up: red, green, blue by IEC 61966-2-1, to four decimals.
 pub(super) fn linear(color: [u8; 3]) -> [f64; 3] {

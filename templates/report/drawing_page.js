@@ -10,9 +10,9 @@ function meshed(value, unit, scale = 1) {
   return `${figure(scale * value.value, unit)} ± ${number(scale * value.mesh_error, 2)}`;
 }
 
-/** The same at a place of the drawing. */
-function meshedAt(value, unit) {
-  return value ? `${meshed(value, unit)} at X ${number(value.at_mm[0])} Y ${number(value.at_mm[1])}` : UNKNOWN;
+/** The place of a value in the drawing. */
+function placeOf({ at_mm: [x, y] }) {
+  return `X ${number(x)} Y ${number(y)}`;
 }
 
 /** A text of the program as a sentence. */
@@ -26,12 +26,19 @@ function inflatedSizes() {
   return listed([...new Set(sizes.map((one) => [...one.extents_mm, one.height_mm].map(({ value }) => number(value)).join(" × ")))]);
 }
 
+// "242 × 102 mm".
+function flatSize() {
+  const points = corners(data.parts[0].outside);
+  const side = (axis) => Math.max(...points.map((point) => point[axis])) - Math.min(...points.map((point) => point[axis]));
+  return `${side(0).toFixed(0)} × ${side(1).toFixed(0)} mm`;
+}
+
 function drawingVerdict() {
-  const sealable = `Can be sealed in ${hours(totalTime())}`;
+  const pieces = data.bill.pieces.length;
+  const sealable = `Can be sealed: ${pieces > 1 ? `${pieces} pieces of ` : ""}${several(data.bill.pieces[0].seams.length, "seam")}, ${hours(totalTime())}, ${flatSize()}`;
   if (!drawn) return [sealable, "The spec has no [load]: set a `pressure` there to inflate the shape."];
   if (drawn.model === "none") return [sealable, 'Its inflated size is not computed: `model = "shell"` in [accuracy] makes every build compute it.'];
-  // A warning begins with its code, which is for scripts.
-  const warnings = drawn.evidence.warnings.map((text) => sentence(text.replace(/^[a-z]+(-[a-z]+)+: /, ""))).join(" ");
+  const warnings = drawn.evidence.warnings.map(sentence).join(" ");
   const size = inflatedSizes();
   const title = size ? `Inflates to ${size} mm` : "Inflated";
   const pressure = figure(drawn.pressure_kPa, "kPa");
@@ -60,34 +67,44 @@ function drawingFigures() {
 function showChambers() {
   if (!drawn) {
     at("chambers-lead").textContent = "The spec has no pressure.";
-    at("chambers").parentElement.remove();
-    at("measures").parentElement.remove();
+    for (const id of ["chambers", "pulls", "measures"]) at(id).parentElement.remove();
     return;
   }
-  const places = (seams) => seams.map((seam) => `${seam.seam}: ${meshedAt(seam.pull_N_per_mm, "N/mm")}`).join("; ");
   const rows = drawn.chambers.map((one) => [
     String(one.chamber),
     `${number(one.flat_extents_mm[0])} × ${figure(one.flat_extents_mm[1], "mm")}, at most ${figure(one.width_mm, "mm")} wide`,
     one.extents_mm ? `${meshed(one.extents_mm[0], "mm")} × ${meshed(one.extents_mm[1], "mm")}` : UNKNOWN,
-    meshedAt(one.height_mm, "mm"),
+    one.height_mm ? `${meshed(one.height_mm, "mm")} at ${placeOf(one.height_mm)}` : UNKNOWN,
     meshed(one.volume_mm3, "cm³", 0.001),
-    one.seams ? places(one.seams) : UNKNOWN,
     { stays: "stays in it", leaves: "leaves it", unsure: "not sure" }[one.plane] || UNKNOWN,
   ]);
   at("chambers-lead").textContent = drawn.model === "none" ? "Flat sizes only: the inflated shape is not computed." : "Each number with its mesh error; places in the frame of the drawing, mm.";
-  table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Largest pull on its seams", "Plane"], rows);
+  table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Plane"], rows);
+  const pulls = drawn.chambers.flatMap(({ chamber, seams }) => (seams || []).map(({ seam, pull_N_per_mm: pull }) => [seam, String(chamber), meshed(pull, "N/mm"), pull ? placeOf(pull) : UNKNOWN]));
+  if (pulls.length) table("pulls", ["Seam", "Chamber", "Largest pull", "Place"], pulls);
+  else at("pulls").parentElement.remove();
   showMeasures();
+}
+
+// Of a measure [name, flat, inflated, unit], to thousandths: below is noise.
+function quantities(measure) {
+  const round = (value) => Math.round(1000 * value) / 1000;
+  const words = { radius_mm: "radius", angle_deg: "angle", distance_mm: "distance", height_mm: "height", direction_deg: "direction", x_mm: "x", y_mm: "y" };
+  return Object.entries(words).filter(([key]) => measure[key]).map(([key, word]) => [
+    key === "angle_deg" && measure.angle_to ? `angle to ${measure.angle_to}` : word, round(measure[key].flat),
+    measure[key].inflated && { value: round(measure[key].inflated.value), mesh_error: round(measure[key].inflated.mesh_error) }, key.endsWith("deg") ? "°" : "mm",
+  ]);
+}
+
+// "across: distance 40 mm", flat or inflated; between them the name alone.
+function measureWords(name, share) {
+  const [[word, flat, inflated, unit]] = quantities(drawn.measures.find(({ measure }) => measure === name));
+  return share > 0 && share < 1 ? name : `${name}: ${word} ${figure(share ? inflated && inflated.value : flat, unit)}`;
 }
 
 /** The quantities of the drawing's measures, a row each. */
 function showMeasures() {
-  const words = { radius_mm: "radius", angle_deg: "angle", distance_mm: "distance", direction_deg: "direction", x_mm: "x", y_mm: "y", height_mm: "height" };
-  const rows = drawn.measures.flatMap((measure) =>
-    Object.entries(words).filter(([key]) => measure[key]).map(([key, word]) => {
-      const unit = key.endsWith("deg") ? "°" : "mm";
-      return [measure.measure, key === "angle_deg" && measure.angle_to ? `angle to ${measure.angle_to}` : word, figure(measure[key].flat, unit), meshed(measure[key].inflated, unit)];
-    }),
-  );
+  const rows = drawn.measures.flatMap((measure) => quantities(measure).map(([word, flat, inflated, unit]) => [measure.measure, word, figure(flat, unit), meshed(inflated, unit)]));
   if (rows.length) table("measures", ["Measure", "Quantity", "Flat", "Inflated"], rows);
   else at("measures").parentElement.remove();
 }

@@ -33,9 +33,9 @@ void main() {
   seen = vec4(shown * color.a, color.a);
 }`;
 
-const GROUPS = [["stack", "Stack"], ["pieces", "Piece"], ["object", "Object"], ["sheets", "Sheets"], ["masks", "Masks"]];
+const GROUPS = [["stack", "Stack"], ["pieces", "Piece"], ["measures", "Measures"], ["object", "Object"], ["sheets", "Sheets"], ["masks", "Masks"]];
 const HOME = { yaw: 0.6, pitch: 0.55, near: 1 };
-const solid = { ...HOME, inflated: 0, groups: new Set(["stack", "object", "pieces"]), parts: [], drawn: 0 };
+const solid = { ...HOME, inflated: 0, groups: new Set(["stack", "object", "pieces", "measures"]), parts: [], drawn: 0 };
 
 function program(gl) {
   const made = gl.createProgram();
@@ -124,8 +124,28 @@ function paint() {
     gl.drawElements(gl.TRIANGLES, part.corners.length, gl.UNSIGNED_INT, 0);
   }
   gl.depthMask(true);
+  labelMeasures(parts, view);
   solid.drawn += 1;
   canvas.dataset.drawn = String(solid.drawn);
+}
+
+// Each measure has its first quantity at its middle, or below others.
+function labelMeasures(parts, view) {
+  const { clientWidth: width, clientHeight: height } = solid.gl.canvas;
+  const placed = [];
+  at("solid-labels").replaceChildren(...parts.filter((part) => part.group === "measures").map(({ name, points, moves, matrix }) => {
+    const middle = 3 * Math.floor(points.length / 6);
+    const place = [0, 1, 2].map((axis) => points[middle + axis] + solid.inflated * moves[middle + axis]);
+    const clip = times(times(view, matrix), [...place, 1, ...new Array(12).fill(0)]);
+    const words = measureWords(name, solid.inflated);
+    const [x, middleY] = [(width / 2) * (1 + clip[0] / clip[3]), (height / 2) * (1 - clip[1] / clip[3])];
+    let y = middleY;
+    while (placed.some((other) => Math.abs(other.x - x) < 4 * (other.length + words.length) && Math.abs(other.y - y) < 22)) y += 22;
+    placed.push({ x, y, length: words.length });
+    const label = make("span", {}, words);
+    Object.assign(label.style, { left: `${x}px`, top: `${y}px` });
+    return label;
+  }));
 }
 
 function turn(yaw, pitch) {

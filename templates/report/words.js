@@ -46,7 +46,7 @@ function number(value, digits = 3) {
 /** A number with its unit; "unknown" where there is none. */
 function figure(value, unit, digits) {
   if (value === null || value === undefined) return UNKNOWN;
-  return unit ? `${number(value, digits)} ${unit}` : number(value, digits);
+  return unit ? `${number(value, digits)}${unit === "°" ? "" : " "}${unit}` : number(value, digits);
 }
 
 /** From ... to ..., with the unit once; `null` where it is unknown. */

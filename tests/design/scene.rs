@@ -293,6 +293,54 @@ fn rigid_parts_have_the_size_of_the_design() {
     }
 }
 
+/// The ends of a measure on the inflated fabric are as far apart as the prediction says; without the shell there is none.
+#[test]
+fn a_measure_lies_on_the_inflated_fabric() {
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"p\"]\n\
+                measure = [\"m\"]\n[load]\npressure = \"5 kPa\"\n[accuracy]\nmodel = \"MODEL\"\n";
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\">\
+               <g id=\"a\"><rect x=\"20\" y=\"20\" width=\"40\" height=\"40\"/></g><g id=\"p\"><path d=\"M40 16V24\"/></g>\
+               <g id=\"m\"><path id=\"across\" d=\"M25 40H55\"/><circle id=\"top\" cx=\"40\" cy=\"40\" r=\"1\"/></g></svg>";
+    for model in ["shell", "auto"] {
+        let text = text.replace("MODEL", model);
+        let reading =
+            stargrip_cam::spec::read(&stargrip_cam::spec::Source::new("x", text.as_str())).expect("a spec");
+        let sources = Sources { spec: &text, machine: support::generic() };
+        let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::SceneGlb] };
+        let spec = reading.with_drawing(svg.as_bytes()).spec;
+        let build = pipeline::build(&spec, &support::machine(), sources, &request).expect("a pouch");
+        let nodes = read_glb(&bytes(&build)).expect("a GLB");
+        let measure_nodes = nodes.iter().filter(|node| node.name.starts_with("measures/"));
+        let names: Vec<&str> = measure_nodes.map(|node| node.name.as_str()).collect();
+        let expected: &[&str] = if model == "shell" { &["measures/across", "measures/top"] } else { &[] };
+        assert_eq!(names, expected);
+        if names.is_empty() {
+            continue;
+        }
+        let wire = part(&nodes, "measures/across", "measure");
+        let predicted = &build.forecast.drawn.as_ref().expect("inflated").prediction.measures[0];
+        let predicted = predicted.distance_mm.expect("measured");
+        assert!((wire_span(&wire.points) - 30.0).abs() < 2e-3, "{}", wire_span(&wire.points));
+        let inflated_distance = wire_span(&wire.inflated);
+        assert!(
+            (inflated_distance - predicted.finest_mesh.expect("inflated")).abs() < 2e-3,
+            "{inflated_distance} {predicted:?}"
+        );
+        // On top of the fabric: as high as the corner of the fabric that is nearest to the middle.
+        let top = part(&nodes, "measures/top", "measure").inflated.iter().map(|p| p[2]).fold(0.0, f64::max);
+        let fabric = &part(&nodes, "pieces/piece", "tube").inflated;
+        let highest = fabric.iter().map(|p| p[2]).fold(0.0, f64::max);
+        assert!((top - highest).abs() < 1.5, "{top} {highest}");
+        assert!(volume(wire) > 0.0, "its triangles face inwards");
+    }
+}
+
+/// Distance of the ends of a straight wire, which has four corners around each: from the first corner to its like at the other end.
+fn wire_span(points: &[[f64; 3]]) -> f64 {
+    let (first, last) = (points[0], points[points.len() - 4]);
+    (first[0] - last[0]).hypot(first[1] - last[1]).hypot(first[2] - last[2])
+}
+
 /// Volume inside of the triangles, mm^3, which all face outwards.
 fn volume(part: &GlbPart) -> f64 {
     let sixfold = |[a, b, c]: &[usize; 3]| {

@@ -207,6 +207,14 @@ async function shell(page, what) {
     const frame = page.frameLocator("#report-box iframe:not(.next)");
     await frame.locator("body.only-solid #solid-view").waitFor();
     must(await frame.locator("#solid-inflate").isEnabled(), `${what}: the scene of the shell does not inflate`);
+    const pulls = await frame.locator("#pulls tbody th").allTextContents();
+    must(pulls.length === 5 && pulls.includes("crease-left"), `${what}: the report has the pull on ${pulls}`);
+    const label = frame.locator("#solid-labels span"), words = () => label.allTextContents();
+    must(/^across: distance \d{2}(\.\d)? mm$/.test((await words()).join()), `${what}: the scene measures ${await words()}`);
+    const [place, scene] = [await label.boundingBox(), await frame.locator("#solid-view").boundingBox()];
+    must(Math.hypot(place.x + place.width / 2 - scene.x - scene.width / 2, place.y + place.height / 2 - scene.y - scene.height / 2) < scene.height / 2, `${what}: the measure is at ${JSON.stringify(place)}`);
+    await frame.locator("#solid-groups [data-group=measures]").click();
+    must((await words()).length === 0, `${what}: measures that are switched off are shown`);
     await page.click("#view-drawing");
     const [length] = await page.locator("#canvas .measured").allTextContents();
     must(/^across: distance \d{2}(\.\d)? mm$/.test(length), `${what}: what is measured after inflation is ${length}`);
@@ -244,6 +252,10 @@ async function drawn(browser, page, what, viewport) {
     await noted(page, "hand-rest.svg has 3 layers");
     must((await page.inputValue("#spec")).includes("[drawing.layers]"), `${what}: no spec of the drawing`);
     await ready(page);
+    await page.click("#view-report");
+    const title = await page.frameLocator("#report-box iframe:not(.next)").locator("#verdict-title").filter({ hasText: "sealed" }).innerText();
+    must((await page.textContent("#verdict")).startsWith(title), `${what}: the report says ${title}, the page ${await page.textContent("#verdict")}`);
+    await page.click("#view-sheet");
     await zipped(page, `${what}-drawing`, "hand-rest", 5);
     await reopened(browser, page, `${what}, drawing`, viewport);
     for (const bad of ["<svg", "<svg xmlns='http://www.w3.org/2000/svg'><script>alert(1)</script><path id='\"><img src=x onerror=alert(1)>' d='M0 0 h1e308 z'/></svg>", "\0".repeat(9)]) {
@@ -251,6 +263,20 @@ async function drawn(browser, page, what, viewport) {
         await page.waitForFunction(() => /cannot be read|has \d+ layer/.test(document.getElementById("note").textContent));
         await page.evaluate(() => (document.getElementById("note").textContent = ""));
     }
+}
+
+/** A press seals all seams at once: they have no order. A note about a drawing goes with it. */
+async function pressed(page, what) {
+    await beside(page, "start");
+    await page.selectOption("#designs", "hand-rest");
+    await ready(page);
+    must((await page.innerText("#note")) === "", `${what}: the note of another drawing stays`);
+    const ordered = () => page.evaluate(() => [...document.querySelectorAll("#canvas .start, #legend .start, #canvas .feel[aria-label*=' sealed ']")].length);
+    must((await ordered()) > 2, `${what}: the seams of an iron have no order`);
+    await beside(page, "values");
+    await page.selectOption("#field-machine\\.profile", "press");
+    await ready(page);
+    must((await ordered()) === 0, `${what}: the seams of a press have an order`);
 }
 
 /** The words that the tests of the crate call hostile, as JavaScript. */
@@ -428,6 +454,7 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         await fitsAlways(page, `${what}-worked`, (scheme) => join(out, `${what}-worked-${scheme}.png`));
         await drawn(browser, page, what, viewport);
         await page.screenshot({ path: join(out, `${what}-drawn.png`), fullPage: true });
+        await pressed(page, what);
         if (what === "phone") continue;
         await keyboard(page, what);
         await hostile(page, what);

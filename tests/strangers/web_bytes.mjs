@@ -133,6 +133,8 @@ mkdirSync(out, { recursive: true });
 const size = brotliCompressSync(binary).length + brotliCompressSync(readFileSync(join(pages, "index.html"))).length;
 must(size <= MOST_BYTES, `program and page have ${size} bytes by brotli`);
 const program = await fresh();
+const [, noProduct] = asked(program, { ask: "look", spec: "" }).faults;
+must(noProduct.remedy.startsWith("write for instance:\n[star]\npoints = 5\n"), `an empty text is answered ${noProduct.remedy}`);
 const began = performance.now();
 await bytes(program);
 const compared = performance.now() - began;

@@ -125,6 +125,11 @@ export function tasks(use, must) {
             await use.wait(() => document.querySelector("#canvas .mark") && document.querySelector("#legend .ignore"));
             await inSight("#fault strong");
             must((await inner("#fault strong")).includes("no port"), "the fault is another one");
+            const isFree = await use.read(() => {
+                const mark = document.querySelector("#canvas .mark"), { left, top, width, height } = mark.getBoundingClientRect();
+                return mark.parentElement.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+            });
+            must(isFree, "something covers the mark of the fault");
             await click("#undo");
             await verdict(/^Can be sealed: 2 seams/);
             await click("#view-sheet");

@@ -63,8 +63,10 @@ export class Canvas {
     fit() {
         const { clientWidth: width, clientHeight: height } = this.#svg, [x, y, w, h] = this.#box;
         if (width === 0 || height === 0) return;
-        const scale = Math.max(w / Math.max(width - 2 * EDGE, 40), h / Math.max(height - EDGE - BELOW, 40), 1e-3);
-        this.#view = { scale, x: x + w / 2 - (scale * width) / 2, y: y + h / 2 - (scale * (height + EDGE - BELOW)) / 2 };
+        // The box of a fault covers no mark.
+        const below = BELOW + (this.#svg.querySelector(".mark") ? byId("fault").offsetHeight : 0);
+        const scale = Math.max(w / Math.max(width - 2 * EDGE, 40), h / Math.max(height - EDGE - below, 40), 1e-3);
+        this.#view = { scale, x: x + w / 2 - (scale * width) / 2, y: y + h / 2 - (scale * (height + EDGE - below)) / 2 };
         this.#isFit = true;
         this.#draw();
     }

@@ -204,6 +204,8 @@ async function start() {
     const result = new Result();
     maker = new Maker({ program, desk, safely, shown: { editor, form, result, fault, stage } });
     result.listenMoved((question, files) => safely(() => program.ask({ ask: "align", ...question }, { files, isLong: true })));
+    // A line is about the spec of before.
+    desk.listen(() => say(""));
     desk.listen(() => maker.refresh());
     listen();
     listenLinks();

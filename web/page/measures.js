@@ -3,8 +3,8 @@
 /** The quantities of a measure in the order of their weight: key, word, unit. */
 const QUANTITIES = [["angle_deg", "angle", "°"], ["radius_mm", "radius", " mm"], ["distance_mm", "distance", " mm"], ["height_mm", "height", " mm"], ["direction_deg", "direction", "°"], ["x_mm", "x", " mm"], ["y_mm", "y", " mm"]];
 
-/** A number with three digits. */
-const figure = (number) => String(Number(number.toPrecision(3)));
+/** A number with three digits, and three decimals at most, below which a mesh has noise. */
+const figure = (number) => String(Number(Number(number.toPrecision(3)).toFixed(3)));
 
 /** The quantities of a `measure` in words, [{ inflated, flat }]; those that are not computed are left out. */
 export function measured(measure) {

@@ -17,10 +17,10 @@ function label(place, text, { className = "", dy = 0, rank = 1 } = {}) {
     return group;
 }
 
-/** The words about a seam, for a pointer and for readers of screens. */
+/** The words about a seam, for a pointer and for readers of screens. Without a time it has no order: a press seals all at once. */
 function seamWords(piece, { name, order, length_mm: length, time_s: time }) {
-    const parts = [`${name || "seam"} of ${piece.name}`, `sealed ${order}${["th", "st", "nd", "rd"][order % 10 > 3 || Math.floor((order % 100) / 10) === 1 ? 0 : order % 10]}`, `${Math.round(length)} mm`];
-    return [...parts, ...(time ? [hours(time)] : [])].join(", ");
+    const ordinal = `sealed ${order}${["th", "st", "nd", "rd"][order % 10 > 3 || Math.floor((order % 100) / 10) === 1 ? 0 : order % 10]}`;
+    return [`${name || "seam"} of ${piece.name}`, ...(time ? [ordinal] : []), `${Math.round(length)} mm`, ...(time ? [hours(time)] : [])].join(", ");
 }
 
 /** A piece on its sheet. `hover(element, text)` makes an element tell its name. */
@@ -32,7 +32,7 @@ function piece(own, isAlone, hover) {
         const feel = shape("path", { class: "feel", d: seam.path, tabindex: 0, role: "img", "aria-label": words });
         hover(feel, words);
         parts.push(shape("g", {}, feel, shape("path", { class: "band", d: seam.path, "stroke-width": own.band_mm, "pointer-events": "none" })));
-        if (seam.start) labels.push(Object.assign(pixels(seam.start, shape("circle", { class: "start", r: 8.5, "stroke-width": 1.5 }), shape("text", { class: "order" }, String(seam.order))), { label: { place: seam.start, width: 19, height: 19, rank: 0, shifts: [[0, 0]] } }));
+        if (seam.start && seam.time_s) labels.push(Object.assign(pixels(seam.start, shape("circle", { class: "start", r: 8.5, "stroke-width": 1.5 }), shape("text", { class: "order" }, String(seam.order))), { label: { place: seam.start, width: 19, height: 19, rank: 0, shifts: [[0, 0]] } }));
         if (isAlone && seam.name && seam.middle) labels.push(label(seam.middle, seam.name, { dy: -15, rank: 2 }));
     }
     for (const [place, diameter] of own.holes) parts.push(shape("circle", { class: "hole", cx: place[0], cy: place[1], r: diameter / 2 }));

@@ -106,7 +106,8 @@ export class Stage {
         if (!isPicture) return;
         const hover = (line, text) => this.#canvas.hover(line, text), sheet = this.#sheets[byId("sheets").value || 0];
         const roles = new Set(this.#drawing?.figures.map(({ role }) => COLOURS[role] ?? role ?? "none"));
-        byId("legend").replaceChildren(...LEGENDS[view].filter(([name]) => view === "sheet" || roles.has(name)).map(([name, words]) => element("li", { className: name }, element("i"), words)));
+        const isOrdered = sheet?.pieces.some(({ seams }) => seams.some((seam) => seam.time_s));
+        byId("legend").replaceChildren(...LEGENDS[view].filter(([name]) => (view === "sheet" ? name !== "start" || isOrdered : roles.has(name))).map(([name, words]) => element("li", { className: name }, element("i"), words)));
         // A drawing that is shown as it is does not fade with the numbers.
         byId("picture").classList.toggle("fresh", view === "drawing");
         if (view === "drawing") {

@@ -60,7 +60,7 @@ mod tests {
         let range = Some([20.0, 30.0]);
         for (pressure, range, warnings, tone) in [
             (10.0, range, &[][..], Tone::Good),
-            (10.0, range, &["leaves-plane: it may bend"], Tone::Fair),
+            (10.0, range, &["it may bend"], Tone::Fair),
             (10.0, None, &[], Tone::Fair),
             (25.0, range, &[], Tone::Fair),
             (31.0, range, &[], Tone::Bad),

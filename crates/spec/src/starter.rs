@@ -44,7 +44,8 @@ pub fn drawing_starter(
             let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
         }
     }
-    let units = unit.map_or("# units = \"mm\"".to_owned(), |unit| format!("units = \"{}\"", unit.name()));
+    let absent = || "## units = \"mm\"        # in place of the unit that the file states".to_owned();
+    let units = unit.map_or_else(absent, |unit| format!("units = \"{}\"", unit.name()));
     Ok(DRAWING
         .replacen(PLACEHOLDER, &quoted(name)?, 1)
         .replacen("\"FILE\"", &in_quotes(file), 1)

@@ -38,9 +38,10 @@ def verify(path: str | os.PathLike[str], *, progress: bool | Callable[[float, st
 
     Raises OSError if there is no such directory, Error if it cannot be read. A fault in it is a finding, not an exception.
     """
-    # Python's own exception, as for a missing spec file.
-    os.stat(path)
-    said: dict[str, Any] = _native.prove(os.fspath(path), progress)
+    # Python's own exceptions, as for a missing spec file; to `stat` a number would be an open file.
+    directory = os.fspath(path)
+    os.stat(directory)
+    said: dict[str, Any] = _native.prove(directory, progress)
     return Proof(
         findings=tuple(Fault(**finding) for finding in said["findings"]),
         deviation_mm=dict(said["deviation_mm"]),

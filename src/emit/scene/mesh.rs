@@ -19,6 +19,8 @@ use program::number::single;
 const CHORD: f64 = 0.045;
 /// Height of ribbons over the fabric that they lie on, mm, so that they are seen.
 const ABOVE: f64 = 0.3;
+/// Pieces of a wire, times its points, so that it lies on a curved surface: a line of 120 mm has pieces of 2.5 mm.
+const WIRE_STEPS: u32 = 96;
 
 /// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -124,6 +126,53 @@ impl Mesh {
     pub(super) fn inflating(self, inflate: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         let inflated = self.points.iter().map(|p| inflate(*p)).collect();
         Self { inflated, ..self }
+    }
+
+    /// A wire of `radius` along `points` on the upper sheet of this fabric, which carries it: a square across, with an edge on top.
+    pub(super) fn wire(&self, points: &[Point], radius: f64) -> Self {
+        let mut wire = Self::default();
+        let step_count = (WIRE_STEPS / index(points.len().max(1))).max(1);
+        for pair in points.windows(2) {
+            let side = (pair[1] - pair[0]).normalized().perp() * radius;
+            let section =
+                [[side.x, side.y, 0.0], [0.0, 0.0, radius], [-side.x, -side.y, 0.0], [0.0, 0.0, -radius]];
+            let mut piece = Self::default();
+            for step in 0..=step_count {
+                let place = pair[0].lerp(pair[1], f64::from(step) / f64::from(step_count));
+                let position = self.carried(place);
+                for [x, y, z] in section {
+                    piece.points.push([place.x + x, place.y + y, z]);
+                    piece.inflated.push([position[0] + x, position[1] + y, position[2] + z]);
+                }
+            }
+            for (ring, corner) in (0..step_count).flat_map(|ring| (0..4).map(move |corner| (ring, corner))) {
+                let [low, high] = [corner, (corner + 1) % 4].map(|corner| 4 * ring + corner);
+                piece.triangles.extend([[low, high, high + 4], [low, high + 4, low + 4]]);
+            }
+            wire.append(piece);
+        }
+        wire
+    }
+
+    /// The place to which the fabric carries a point of its upper sheet when it inflates: linear in the triangle that holds the point, or is
+    /// nearest to it. Triangles of the lower sheet are clockwise.
+    fn carried(&self, place: Point) -> [f64; 3] {
+        let (mut least_share, mut position) = (f64::NEG_INFINITY, [place.x, place.y, 0.0]);
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|corner| {
+                let [x, y, _] = self.points[corner as usize];
+                Point::new(x, y)
+            });
+            let area = (b - a).cross(c - a);
+            let shares = [(b, c), (c, a), (a, b)].map(|(from, to)| (from - place).cross(to - place) / area);
+            let share = shares.iter().copied().fold(f64::INFINITY, f64::min);
+            if area > 0.0 && share > least_share {
+                least_share = share;
+                let corners = triangle.map(|corner| self.inflated[corner as usize]);
+                position = std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum());
+            }
+        }
+        position
     }
 
     fn flat(buffers: &Buffers, z: f64) -> Self {

@@ -11,7 +11,7 @@ mod pose;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::emit::palette::{SURFACES, SceneSurface};
+use crate::emit::palette::{STAR_SURFACES, SURFACES, SceneSurface};
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
@@ -30,7 +30,7 @@ const GAP: f64 = 60.0;
 /// Everything of the gripper `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
 /// has no triangles for it.
 pub fn scene(spec: &Spec, design: &Design, inflated: &[PosedStar]) -> Option<Vec<u8>> {
-    let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface));
+    let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface)[..STAR_SURFACES]);
     let assembly = design.assembly()?;
     let stack_nodes = stack(&mut glb, assembly, inflated)?;
     let object_nodes: Vec<Node> = object(&mut glb, spec).unwrap_or_default();
@@ -38,7 +38,7 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[PosedStar]) -> Option<Vec
     let sheet_nodes = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
     let mask_nodes = masks(&mut glb, spec, assembly)?;
     // The object's material comes last: validators remark on a material without use.
-    let surface_count = SURFACES.len() - usize::from(object_nodes.is_empty());
+    let surface_count = STAR_SURFACES - usize::from(object_nodes.is_empty());
     let groups =
         [("stack", stack_nodes), ("object", object_nodes), ("sheets", sheet_nodes), ("masks", mask_nodes)];
     Some(glb.finish(&spec.name, &groups, surface_count))

@@ -5,6 +5,9 @@ use stargrip_cam::answer::refused::{at_keys, fault_json};
 use stargrip_cam::design::{Refusals, Warning};
 use stargrip_cam::spec::{Fault, Faults, Reading, Severity, Source};
 
+/// The part of a remedy that names a command, which a page has not.
+const COMMAND: &str = "`stargrip-cam new` writes a whole spec to begin with; or ";
+
 /// All of `faults`: the values of `--json`, whether each is a warning, its column, and its start and end in the text.
 ///
 /// Columns (from 1) and places are counted as in JavaScript: in units of UTF-16.
@@ -14,6 +17,9 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let page_fault = |fault: &Fault| {
         let mut value = fault_json(faults, fault);
         let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
+        if let Some(remedy) = value["remedy"].as_str() {
+            value["remedy"] = remedy.replace(COMMAND, "").into();
+        }
         value["warning"] = json!(fault.level == Severity::Warning);
         value["column"] = json!(1 + units(fault.span.start) - units(line));
         value["place"] = json!([units(fault.span.start), units(fault.span.end)]);

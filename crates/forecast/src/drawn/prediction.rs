@@ -413,7 +413,7 @@ impl DrawnPrediction {
             .collect();
         (!names.is_empty()).then(|| {
             format!(
-                "leaves-plane: {} may bend or twist out of the plane of the drawing at this pressure; size, \
+                "{} may bend or twist out of the plane of the drawing at this pressure; size, \
                  height and pull are computed for the shape that stays in it",
                 names.join(", ")
             )
