@@ -184,8 +184,8 @@ fn every_program_for_the_printer_has_a_package() {
     let built = files.names().map(|name| (name.to_owned(), content(&files, name).to_vec()));
     let of_coupons = coupons.files().into_iter().map(|(name, bytes)| (name.to_owned(), bytes));
     for list in [built.collect::<Vec<_>>(), of_coupons.collect()] {
-        let packages: Vec<_> = list.iter().filter(|(name, _)| name.ends_with(".3mf")).collect();
-        let programs = list.iter().filter(|(name, _)| name.ends_with(".gcode")).count();
+        let packages: Vec<_> = list.iter().filter(|(name, _)| name.strip_suffix(".3mf").is_some()).collect();
+        let programs = list.iter().filter(|(name, _)| name.strip_suffix(".gcode").is_some()).count();
         assert!(
             programs > 0 && packages.len() == programs,
             "{programs} programs, {} packages",
