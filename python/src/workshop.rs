@@ -29,6 +29,7 @@ pub(crate) fn files<N: AsRef<str>, B: AsRef<[u8]>>(
 /// powers: of a laser, in place of temperatures and heights, `["8 %", "10 %"]`; default: three quarters, once and five quarters of the spec's.
 /// speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's; of a laser half, once and twice.
 /// heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
+/// focuses: of a laser, heights of its focus above the sheet, `["11 mm", "12 mm"]`; default: the spec's.
 /// times: of a heat press, in place of speeds and heights, `["10 s", "20 s"]`; default: half, once and twice the spec's.
 /// only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.
 /// repeats: how often each setting is sealed, 1 to 20; default: 3.
@@ -37,7 +38,7 @@ pub(crate) fn files<N: AsRef<str>, B: AsRef<[u8]>>(
 #[pyfunction]
 #[pyo3(
     signature = (spec, **grid),
-    text_signature = "(spec, *, temperatures=None, powers=None, speeds=None, heights=None, times=None, only=None, repeats=None)"
+    text_signature = "(spec, *, temperatures=None, powers=None, speeds=None, heights=None, focuses=None, times=None, only=None, repeats=None)"
 )]
 pub(crate) fn coupon<'py>(
     py: Python<'py>,
@@ -74,7 +75,7 @@ pub(crate) fn rest<'py>(
     place: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(String, usize, f64, f64, f64)> {
     let arguments = options("resume", &embedded::resume_keywords(), place)?;
-    let Resumed { text, line, overlap, done: share, seconds } =
+    let Resumed { text, line, overlap, done: share, seconds, .. } =
         py.detach(|| embedded::resumed(program, &arguments)).map_err(|failure| of_failure(py, &failure))?;
     if let Some(spec) = spec {
         let clamps = &spec.given.machine.bench.keep_out;

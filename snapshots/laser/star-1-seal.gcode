@@ -7,6 +7,7 @@
 ; heights: contact_mm=12 travel_mm=13 park_mm=30 ramp_mm=3
 ; path: tolerance_mm=0.001 travel_mm_s=20 dwell=s
 ; laser: full_power_S=1000 focus_mm=11.5
+; laser-ramps: acceleration_mm_s2=500
 ; requires: $32=1, laser mode: no beam in G0 and at rest
 ; requires: $30=1000, the S of full power
 ; safety: goggles for the wavelength on, for everybody in the room
@@ -671,4 +672,4 @@ G0 Z30
 G0 X0 Y0
 M5
 M2
-; end of program, 674 lines
+; end of program, 675 lines

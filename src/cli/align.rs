@@ -65,13 +65,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         .map(|file| file.name.as_str())
         .collect();
     let text = format!(
-        "wrote {}\nsheet {}: turned by {turn:.3} deg, shifted by X {:.2} Y {:.2} mm; the marks are {:+.2} mm off their distance\n\
-         {}\nproven where the sheet lies now; the machine's zero stays where it was when the marks were measured\n",
+        "wrote {}\n{}\n{}\nproven where the sheet lies now; the machine's zero stays where it was when the marks were measured\n",
         escaped_line(&target),
-        alignment.sheet,
-        shift.x,
-        shift.y,
-        alignment.stretch,
+        alignment.in_words(),
         names.join(", ")
     );
     let json = json!({

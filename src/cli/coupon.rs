@@ -18,7 +18,7 @@ use crate::coupon::{CouponGroup, PressGrid, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use proof::artifact::Kind;
 use spec::units::{Duration, Length, Percent, Speed, Temperature, count_text};
-use spec::{CONTACT, POWERS, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
+use spec::{CONTACT, FOCUSES, POWERS, PRESS_TIMES, Press, SEAL_SPEEDS, Spec};
 
 /// How often each setting is sealed by default.
 const REPEATS: u8 = 3;
@@ -46,6 +46,9 @@ pub(super) struct Args {
     /// Heights of the tip in contact; default: the profile's.
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(CONTACT), allow_hyphen_values = true)]
     heights: Vec<Length>,
+    /// Heights of a laser's focus above the sheet, each below `travel` of the profile; default: the spec's.
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(FOCUSES), allow_hyphen_values = true, conflicts_with_all = ["temperatures", "heights", "times"])]
+    focuses: Vec<Length>,
     /// Coupons of these kinds only; default: all.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = words(&CouponGroup::NAMES, &[]))]
     only: Vec<CouponGroup>,
@@ -72,6 +75,7 @@ impl Args {
             ("--powers", !self.powers.is_empty()),
             ("--speeds", !self.speeds.is_empty()),
             ("--heights", !self.heights.is_empty()),
+            ("--focuses", !self.focuses.is_empty()),
             ("--times", !self.times.is_empty()),
             ("--repeats", self.repeats.is_some()),
         ];
@@ -186,10 +190,12 @@ fn press_grid(args: &Args, loaded: &Loaded, press: &Press) -> Result<PressGrid, 
     if args.only.iter().any(|group| *group != CouponGroup::Strips) {
         loaded.with_programs("this coupon")?;
     }
-    let is_path = !args.speeds.is_empty() || !args.heights.is_empty() || !args.powers.is_empty();
-    if is_path || args.process.is_some() {
+    let is_of_laser = !args.powers.is_empty() || !args.focuses.is_empty();
+    let is_path = !args.speeds.is_empty() || !args.heights.is_empty();
+    if is_path || is_of_laser || args.process.is_some() {
         return Err(Failure::Usage(
-            "a press has --temperatures and --times, no powers, speeds, heights and processes".to_owned(),
+            "a press has --temperatures and --times, no powers, speeds, heights, focuses and processes"
+                .to_owned(),
         ));
     }
     let usual = PressGrid::around_press(press, usize::from(args.repeats.unwrap_or(REPEATS)));
@@ -247,16 +253,17 @@ fn tested_spec(args: &Args, loaded: &Loaded) -> Result<Spec, Failure> {
 /// The grid of settings to test.
 fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     let seal = &tested_spec(args, loaded)?.seal;
-    let (is_iron_grid, is_laser_grid) =
-        (!args.temperatures.is_empty() || !args.heights.is_empty(), !args.powers.is_empty());
+    let is_iron_grid = !args.temperatures.is_empty() || !args.heights.is_empty();
+    let is_laser_grid = !args.powers.is_empty() || !args.focuses.is_empty();
     match seal.power {
         Some(_) if is_iron_grid => {
             return Err(Failure::Usage(
-                "a laser has --powers and --speeds, no temperatures and heights".to_owned(),
+                "a laser has --powers, --speeds and --focuses, no temperatures and heights".to_owned(),
             ));
         }
         None if is_laser_grid => {
-            return Err(Failure::Usage("--powers is for a laser: an iron has --temperatures".to_owned()));
+            let text = "--powers and --focuses are for a laser: an iron has --temperatures and --heights";
+            return Err(Failure::Usage(text.to_owned()));
         }
         _ => {}
     }
@@ -270,7 +277,10 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
         temperatures: values_or(&args.temperatures, usual_temperatures),
         powers: values_or(&args.powers, &usual_powers),
         speeds: values_or(&args.speeds, &factors.map(|factor| Speed(factor * seal.speed.0))),
-        heights: values_or(&args.heights, &[seal.contact(&loaded.machine.process)]),
+        heights: values_or(
+            if seal.power.is_some() { &args.focuses } else { &args.heights },
+            &[seal.contact(&loaded.machine.process)],
+        ),
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
     // The spec's temperature, and five times its speed, may be out of range, too.
@@ -306,10 +316,11 @@ fn text(
         let spec = lasting(&args.spec, &args.output);
         let (look, results) = (place(OVERVIEW), place(TABLE));
         let _ = writeln!(lines, "look at {look}: every strip with its setting and its cut");
+        let process = args.process.as_ref().map_or_else(String::new, |name| format!(" --process {name}"));
         let _ = writeln!(
             lines,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-             peel_N in {results}{}, then: stargrip-cam calibrate {}{} --spec {}",
+             peel_N in {results}{}, then: stargrip-cam calibrate {}{}{process} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
             if has_pressure {
                 String::new()

@@ -116,13 +116,14 @@ pub fn coupons(loaded: &Loaded, options: &[String]) -> Result<ProvenCoupons, Fai
 ///
 /// # Errors
 /// If the profile contradicts the seal.
-pub fn feed_check(loaded: &Loaded) -> Result<[(String, Vec<u8>); 2], Failure> {
+pub fn feed_check(loaded: &Loaded) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let program = feedcheck::default_output(&loaded.machine);
     let proven = feedcheck::feed_check(loaded, &program.to_string_lossy())?;
-    let manifest = feedcheck::manifest_path(&program);
-    let names = [program, manifest].map(|path| path.to_string_lossy().into_owned());
-    let [program, manifest] = names;
-    Ok([(program, proven.text.into_bytes()), (manifest, proven.manifest.to_json())])
+    let paths = [program.clone(), feedcheck::package_path(&program), feedcheck::manifest_path(&program)];
+    let [program, package, manifest] = paths.map(|path| path.to_string_lossy().into_owned());
+    let packed = proven.package.map(|bytes| (package, bytes));
+    let files = std::iter::once((program, proven.text.into_bytes())).chain(packed);
+    Ok(files.chain([(manifest, proven.manifest.to_json())]).collect())
 }
 
 /// The rest of the job with the text `job`, from the place that the options of `resume` describe.

@@ -11,10 +11,11 @@ use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{refuse_foreign, replace, write_new};
 use crate::cli::verbosity::Verbosity;
+use crate::cli::whole_file::write_whole;
 use crate::emit;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
-use crate::pipeline::{FeedCheckFault, ProvenFeedCheck};
+use crate::pipeline::{FeedCheckFault, PACKAGE_ENDING, ProvenFeedCheck};
 use program::plan;
 use program::plan::FeedCorrection;
 use proof::artifact::program_ending;
@@ -53,7 +54,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let proven = feed_check(&loaded, &name)?;
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
-    if !args.force && output.exists() {
+    let package = proven.package.as_ref().map(|_| package_path(&output));
+    if !args.force && (output.exists() || package.as_ref().is_some_and(|package| package.exists())) {
         let remedy = "--force replaces it, -o FILE writes another";
         let message = format!("{} exists already, from an earlier run: {remedy}", escaped_line(&output));
         return Err(Failure::Message(message));
@@ -65,6 +67,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     outcome.inspect_err(|_| {
         let _ = fs::remove_file(&manifest);
     })?;
+    if let (Some(path), Some(bytes)) = (&package, &proven.package) {
+        write_whole(path, bytes).map_err(|error| Failure::file("write", path, &error))?;
+    }
+    let packed = package.as_ref().map_or_else(String::new, |path| {
+        format!(" and in a package {}", escaped_line(path.file_name().unwrap_or_default()))
+    });
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let command = format!("stargrip-cam feedcheck {} --took", argument(&args.spec));
     let (length, example) = (plan::CHECK_LENGTH, 0.96 * seconds);
@@ -74,7 +82,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         format!("three lines of {length} mm (X, Y, 45 deg)")
     };
     let text = format!(
-        "wrote {}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one took {example:.0} s, \
+        "wrote {}{packed}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one took {example:.0} s, \
          `{command} \"{example:.0} s\"` prints what to change\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
          if it runs on, or stops elsewhere, do not seal with this profile\n",
         escaped_line(&output),
@@ -84,6 +92,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let json = json!({
         "wrote": output.to_string_lossy(),
         "manifest": manifest.to_string_lossy(),
+        "package": package.map(|path| path.to_string_lossy().into_owned()),
         "line_mm": length,
         "line_time_s": seconds,
         "ways": if machine.controller.arcs { 5 } else { 3 },
@@ -197,9 +206,17 @@ pub(super) fn feed_check(loaded: &Loaded, name: &str) -> Result<ProvenFeedCheck,
     })
 }
 
-/// The manifest beside the feed check `program`, from which `verify` proves it.
-pub(super) fn manifest_path(program: &Path) -> PathBuf {
+/// The package beside the program `program`.
+pub(super) fn package_path(program: &Path) -> PathBuf {
     let mut name = program.file_name().unwrap_or_default().to_owned();
-    name.push(FEED_CHECK_MANIFEST);
+    name.push(PACKAGE_ENDING);
+    program.with_file_name(name)
+}
+
+/// The manifest beside the feed check `program`, or its package, from which `verify` proves it.
+pub(super) fn manifest_path(program: &Path) -> PathBuf {
+    let name = program.file_name().unwrap_or_default().to_string_lossy();
+    let mut name = name.strip_suffix(PACKAGE_ENDING).unwrap_or(&name).to_owned();
+    name.push_str(FEED_CHECK_MANIFEST);
     program.with_file_name(name)
 }

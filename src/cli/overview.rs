@@ -205,7 +205,9 @@ fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         vec![("files", format!("{number} in {}", escaped_line(target))), ("proven", scope(proven.proof()))];
     rows.extend(to_look_at(proven).map(|picture| ("look at", escaped_line(target.join(picture)))));
     let traces = named(proven, Kind::TraceGcode);
-    let [seals, packages] = [Kind::SealGcode, Kind::Seal3mf].map(|kind| named(proven, kind));
+    let seals = named(proven, Kind::SealGcode);
+    let packages: Vec<String> =
+        [Kind::Seal3mf, Kind::Trace3mf, Kind::Cut3mf].iter().flat_map(|kind| named(proven, *kind)).collect();
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
             Some(format!("{trace} first (moves only, seals nothing), then {seal}{}", more_text(&seals)))
@@ -214,9 +216,7 @@ fn file_rows(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
-    let package = packages
-        .first()
-        .map(|first| format!("{first}{}: the same program in a package", more_text(&packages)));
+    let package = packages.first().map(|_| format!("{}: the same programs in packages", packages.join(", ")));
     rows.extend(package.map(|package| ("package", package)));
     let cut = named(proven, Kind::CutGcode);
     let run_cut = cut.first().map(|first| format!("{first}{}, after the seal", more_text(&cut)));
@@ -293,10 +293,16 @@ pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
 fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
-    let [traces, seals, packages, cuts] =
-        [Kind::TraceGcode, Kind::SealGcode, Kind::Seal3mf, Kind::CutGcode].map(|kind| named(proven, kind));
+    let pairs = [
+        (Kind::TraceGcode, Kind::Trace3mf),
+        (Kind::SealGcode, Kind::Seal3mf),
+        (Kind::CutGcode, Kind::Cut3mf),
+    ];
     // A package holds the program that lies beside it.
-    let programs = [traces, if seals.is_empty() { packages } else { seals }, cuts];
+    let programs = pairs.map(|(plain, package)| {
+        let files = named(proven, plain);
+        if files.is_empty() { named(proven, package) } else { files }
+    });
     json!({
         "directory": target.to_string_lossy(),
         "files": files,

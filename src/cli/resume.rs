@@ -8,13 +8,14 @@ use crate::answer::hours;
 use crate::cli::align::aligned;
 use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
+use crate::cli::feedcheck::package_path;
 use crate::cli::load::MACHINE;
 use crate::cli::source_file::read_source;
 use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::directory_of;
+use crate::cli::whole_file::{directory_of, write_whole};
 use crate::manifest::{MANIFEST, Manifest, sha256};
-use crate::pipeline::read_mark;
+use crate::pipeline::{PACKAGE_ENDING, read_mark};
 use crate::resume::{ResumeAt, ResumeFault, Resumed, clamp_in_the_way, resume};
 use design::RefusalCode;
 use geom::Point;
@@ -118,6 +119,10 @@ fn length(text: &str) -> Result<f64, String> {
 
 /// Writes the program for the rest of the job.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    if args.job.to_string_lossy().ends_with(PACKAGE_ENDING) {
+        let text = "is a package: name the program beside it, without .3mf; the rest is packed, too";
+        return Err(Failure::Message(format!("{} {text}", escaped_line(&args.job))));
+    }
     let text = read_text(&args.job, PROGRAM)?;
     let resumed = resume(&text, args.place()?, args.overlap).map_err(|fault| {
         let seal_file = seal_file_beside(&args.job).filter(|_| fault == ResumeFault::Trace);
@@ -134,11 +139,21 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let target = args.output.clone().unwrap_or_else(|| default_target(&args.job, has_manifest));
     refuse_published(&target)?;
+    let package = resumed.package.as_ref().map(|bytes| (package_path(&target), bytes));
+    if let Some((path, _)) = package.as_ref().filter(|(path, _)| path.symlink_metadata().is_ok()) {
+        return Err(Failure::Message(format!("{} exists already; choose another name", escaped_line(path))));
+    }
     write_new(&target, &resumed.text)?;
+    if let Some((path, bytes)) = &package {
+        write_whole(path, bytes).map_err(|error| Failure::file("write", path, &error))?;
+    }
+    let packed = package.as_ref().map_or_else(String::new, |(path, _)| {
+        format!(" and in a package {}", escaped_line(path.file_name().unwrap_or_default()))
+    });
     let text = format!(
-        "wrote {}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
+        "wrote {}{packed}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
          about {} left\n{}\n\
-         before you start it: same sheet, same zero, iron above the fabric\n",
+         before you start it: same sheet, same zero, the tool above the fabric\n",
         escaped_line(&target),
         resumed.line,
         100.0 * resumed.done,
@@ -153,6 +168,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     );
     let json = json!({
         "wrote": target.to_string_lossy(),
+        "package": package.map(|(path, _)| path.to_string_lossy().into_owned()),
         "line": resumed.line,
         "done": resumed.done,
         "overlap_mm": resumed.overlap,

@@ -10,7 +10,8 @@ use proof::artifact::{Kind, KindRequest};
 use proof::verify::OutputFiles;
 
 /// The kinds that are turned with the sheet.
-const PROGRAMS: [Kind; 4] = [Kind::TraceGcode, Kind::SealGcode, Kind::Seal3mf, Kind::CutGcode];
+const PROGRAMS: [Kind; 6] =
+    [Kind::TraceGcode, Kind::Trace3mf, Kind::SealGcode, Kind::Seal3mf, Kind::CutGcode, Kind::Cut3mf];
 
 /// The build whose programs are those of the published `files`, turned and shifted to a sheet whose marks were found at `measured`.
 ///

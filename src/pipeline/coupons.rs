@@ -4,15 +4,17 @@ use crate::airtight;
 use crate::coupon::{
     Coupon, CouponGroup, PressGrid, StripGrid, coupons, overview, press_drawings, press_table, table,
 };
+use crate::emit;
 use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Tool, coupon_piece, sha256};
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
 use design::{Refusal, Refusals};
 use geom::Path;
-use proof::artifact::{Artifact, Kind, Output, program_ending};
+use proof::artifact::{Artifact, Kind, Output, program_ending, takes_packages};
 use proof::verify;
 use proof::verify::{
     FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, ProgramWork, Proof,
+    program_in,
 };
 use spec::units::{Duration, Length, Percent, Speed, Temperature};
 use spec::{Machine, Spec};
@@ -72,7 +74,13 @@ impl MadeCoupons {
         ];
         let ending = program_ending(machine.controller.dialect);
         for coupon in &coupon_list {
-            files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &coupon.gcode()));
+            let program = coupon.gcode();
+            files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &program));
+            if takes_packages(machine.controller.dialect) {
+                let (name, output) = (format!("{}.{ending}.3mf", coupon.name), Output::new(Kind::Seal3mf));
+                let bytes = emit::package(&program, coupon.program.time);
+                files.extend(bytes.map(|bytes| Artifact { output, name, bytes }));
+            }
             files.push(file(format!("{}.svg", coupon.name), Kind::SealSvg, &coupon.svg));
         }
         let has_strips = groups.contains(&CouponGroup::Strips);
@@ -192,9 +200,15 @@ impl MadeCoupons {
         }
         let is_of =
             |coupon: &&Coupon| name.strip_prefix(&coupon.name).is_some_and(|rest| rest.starts_with('.'));
-        let coupon = self.coupons.iter().find(is_of).filter(|_| kind == Kind::SealGcode);
-        let deviation =
-            coupon.map(|coupon| coupon_task(coupon).check(&String::from_utf8_lossy(written_bytes), findings));
+        let coupon = self.coupons.iter().find(is_of).filter(|_| kind.is_program());
+        let deviation = coupon.and_then(|coupon| {
+            let program = if kind == Kind::Seal3mf {
+                Cow::from(program_in(written_bytes, findings)?)
+            } else {
+                String::from_utf8_lossy(written_bytes)
+            };
+            Some(coupon_task(coupon).check(&program, findings))
+        });
         let equal = written_bytes == bytes;
         if !equal && proof.written_by.is_none() {
             findings.push(verify::first_difference(written_bytes, bytes));

@@ -7,16 +7,22 @@ use design::Refusals;
 use geom::Path;
 use program::plan;
 use program::plan::{Program, Step};
-use proof::artifact::{Artifact, Kind, Output};
+use proof::artifact::{Artifact, Kind, Output, takes_packages};
 use proof::verify;
-use proof::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
+use proof::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof, program_in};
 use spec::{Machine, Source, Spec};
+use std::borrow::Cow;
+
+/// Ending of a package behind the name of its program.
+pub const PACKAGE_ENDING: &str = ".3mf";
 
 /// A feed check that was read back; only it can be written.
 #[derive(Clone, Debug)]
 pub struct ProvenFeedCheck {
     /// The program.
     pub text: String,
+    /// The program in a package, for a machine that takes packages.
+    pub package: Option<Vec<u8>>,
     /// The manifest of its file.
     pub manifest: FeedCheckManifest,
 }
@@ -52,14 +58,25 @@ pub fn feed_check(
     }
     let bytes = text.as_bytes().to_vec();
     let program = Artifact { output: Output::new(Kind::TraceGcode), name: name.to_owned(), bytes };
+    let package = package_of(spec, machine, &text);
+    let packed = package.iter().map(|bytes| {
+        let (output, name) = (Output::new(Kind::Trace3mf), format!("{name}{PACKAGE_ENDING}"));
+        ManifestFile::new(&Artifact { output, name, bytes: bytes.clone() })
+    });
     let manifest = FeedCheckManifest {
         tool: Tool::current(),
         name: spec.name.clone(),
         spec: sources.spec.to_owned(),
         machine: sources.machine.to_owned(),
-        files: vec![ManifestFile::new(&program)],
+        files: std::iter::once(ManifestFile::new(&program)).chain(packed).collect(),
     };
-    Ok(ProvenFeedCheck { text, manifest })
+    Ok(ProvenFeedCheck { text, package, manifest })
+}
+
+/// The program `text` in a package; `None` where `machine` takes none.
+fn package_of(spec: &Spec, machine: &Machine, text: &str) -> Option<Vec<u8>> {
+    let seconds = plan::feed_check_seconds(spec, machine, &plan::feed_checks(spec, machine));
+    takes_packages(machine.controller.dialect).then(|| emit::package(text, seconds)).flatten()
 }
 
 /// Proves the feed check `bytes` in the file `name` from its manifest.
@@ -83,18 +100,25 @@ pub fn prove_feed_check(name: &str, bytes: &[u8], manifest: &FeedCheckManifest) 
         findings.add(FindingCode::Hash, hash.clone(), "the hash in the manifest");
     }
     let other = (manifest.tool != Tool::current()).then(|| manifest.tool.version.clone());
-    let text = String::from_utf8_lossy(bytes);
+    let is_package = name.ends_with(PACKAGE_ENDING);
+    let text = if is_package {
+        Cow::from(program_in(bytes, &mut findings).unwrap_or_default())
+    } else {
+        String::from_utf8_lossy(bytes)
+    };
     let (right, deviation, wrong) = program_of(&spec, &machine, Some(text.as_ref()));
     let deviation = wrong.is_empty().then_some(deviation);
     findings.extend(wrong);
-    let equal = right.as_bytes() == bytes;
+    let packed = if is_package { package_of(&spec, &machine, &right) } else { None };
+    let right = packed.unwrap_or_else(|| right.into_bytes());
+    let equal = right == bytes;
     if !equal && other.is_none() {
-        findings.push(verify::first_difference(bytes, right.as_bytes()));
+        findings.push(verify::first_difference(bytes, &right));
     }
     let method = if equal { Method::Bytes } else { Method::Reading };
     let file = FileProof {
         path: name.to_owned(),
-        output: Output::new(Kind::TraceGcode),
+        output: Output::new(if is_package { Kind::Trace3mf } else { Kind::TraceGcode }),
         by: method,
         sha256: hash,
         deviation,

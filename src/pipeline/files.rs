@@ -58,18 +58,28 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Scene => return scene(forecast),
         Subject::Preview => return preview(forecast, sources, output),
         Subject::Report => report(forecast, sources)?,
-        Subject::Trace => program(forecast, &forecast.traces, output)?,
-        Subject::Cut => cut(forecast, output)?,
-        Subject::Seal if output.kind.format() == Format::Gcode => {
-            program(forecast, &forecast.programs, output)?
+        Subject::Seal | Subject::Trace | Subject::Cut if output.kind.is_program() => {
+            let program = program_of(forecast, output)?;
+            let text = match output.kind.subject() {
+                Subject::Cut => {
+                    let cut_spec = forecast.spec.cut_by(&forecast.spec.cut.program?);
+                    emit::gcode(&cut_spec, &forecast.machine, program)
+                }
+                _ => emit::gcode(&forecast.spec, &forecast.machine, program),
+            };
+            if output.kind.format() == Format::Package {
+                return emit::package(&text, program.time);
+            }
+            text
         }
-        Subject::Seal if output.kind.format() == Format::Package => return package(forecast, output),
         Subject::PressPlan => {
             let plan = PressPlan::new(&forecast.spec, &forecast.design)?;
             let page = plan.page(&forecast.spec.name, &forecast.design);
             return Some(emit::pdf(&output.title(&forecast.spec.name), &[page]));
         }
         Subject::Seal
+        | Subject::Trace
+        | Subject::Cut
         | Subject::Outline
         | Subject::Mask
         | Subject::Pieces
@@ -143,31 +153,18 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     }))
 }
 
-/// The program of `programs` for the output's piece, or for its sheet, as G-code.
-fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
-    Some(emit::gcode(&forecast.spec, &forecast.machine, program_for(programs, output)?))
-}
-
-/// The program of `programs` for the output's piece, or for its sheet.
-fn program_for<'p>(programs: &'p [Program], output: &Output) -> Option<&'p Program> {
+/// The program for the output's piece, or for its sheet.
+fn program_of<'f>(forecast: &'f Forecast, output: &Output) -> Option<&'f Program> {
+    let programs = match output.kind.subject() {
+        Subject::Trace => &forecast.traces,
+        Subject::Cut => &forecast.cuts,
+        _ => &forecast.programs,
+    };
     let is_for = |program: &&Program| match output.part.sealed() {
         Some(number) => program.numbers() == [number],
         None => Some(program.sheet) == output.part.sheet(),
     };
     programs.iter().find(is_for)
-}
-
-/// The sealing program for the output's piece or sheet, in a package.
-fn package(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
-    let program = program_for(&forecast.programs, output)?;
-    emit::package(&emit::gcode(&forecast.spec, &forecast.machine, program), program.time)
-}
-
-/// The program that cuts the output's sheet.
-fn cut(forecast: &Forecast, output: &Output) -> Option<String> {
-    let cut_spec = forecast.spec.cut_by(&forecast.spec.cut.program?);
-    let program = forecast.cuts.iter().find(|program| Some(program.sheet) == output.part.sheet())?;
-    Some(emit::gcode(&cut_spec, &forecast.machine, program))
 }
 
 fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {

@@ -91,7 +91,7 @@ fn no_package(machine: &Machine, kind: Kind) -> Option<Refusal> {
         return None;
     }
     let problem = format!("{kind} is for Bambu Lab's printers; {} reads plain G-code", dialect.title());
-    let remedy = "ask for seal-gcode, or name profile = \"bambu\" in [machine]";
+    let remedy = "ask for seal-gcode, trace-gcode or cut-gcode, or name profile = \"bambu\" in [machine]";
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPackage, problem, remedy))
 }
 

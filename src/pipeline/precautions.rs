@@ -8,7 +8,7 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::{LASER_SAFETY, Pace, Program, laser_settings};
+use program::plan::{LASER_SAFETY, Pace, Program, laser_settings, other_version};
 use spec::units::{Readable, Speed};
 use spec::{CutTool, Machine, Marks, SealingTool};
 
@@ -69,6 +69,7 @@ impl Forecast {
         list.extend(speed(self, spec));
         let requires = self.machine.script.requires.iter();
         list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
+        list.extend(version(self));
         if self.machine.bench.work_area.is_none() {
             let text = format!(
                 "the machine must reach {}: `x` and `y` in [work_area] of its profile are unknown",
@@ -122,6 +123,22 @@ fn laser(forecast: &Forecast, path: &str) -> Vec<Precaution> {
     );
     let peel = Precaution::new(PrecautionCode::LaserSafety, peel);
     safety.into_iter().chain(settings).chain([peel]).collect()
+}
+
+/// The version of Marlin for which the strokes are timed, where another one would leave the speed.
+fn version(forecast: &Forecast) -> Option<Precaution> {
+    let other = other_version(&forecast.programs)?;
+    let percent = Readable((1e3 * other.error).round() / 10.0);
+    let (versions, remedy) = if other.has_first_rate {
+        ("with it (1.1, 2.0.x)", "first_step_rate = 120")
+    } else {
+        ("without it", "first_step_rate = \"none\"")
+    };
+    let text = format!(
+        "look for MINIMAL_STEP_RATE in planner.cpp of your Marlin: on a version {versions} the seal's speed is up to {percent} % off; \
+         for it write `{remedy}` in [motion]"
+    );
+    Some(Precaution::new(PrecautionCode::MachineRequires, text))
 }
 
 /// `list` without duplicate texts.

@@ -38,7 +38,7 @@ impl fmt::Display for AlignedFault {
                 f.write_str("its sheet was aligned already: align the build from which it was made")
             }
             Self::NoPrograms => f.write_str(
-                "it has no programs: build it with seal-gcode, seal-3mf, trace-gcode or cut-gcode",
+                "it has no programs: build it with seal-gcode, trace-gcode or cut-gcode, or as packages: seal-3mf, trace-3mf or cut-3mf",
             ),
             Self::WhichSheet(number) => {
                 write!(f, "it has {number} sheets: name the one that lies on the machine, 1 to {number}")

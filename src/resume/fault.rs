@@ -15,8 +15,6 @@ pub enum ResumeFault {
     Trace,
     /// It is a program that cuts.
     Cut,
-    /// It is a program of a laser.
-    Laser,
     /// The program is damaged.
     Damaged(Finding),
     /// The moves do not agree with the comments, or the comments state no valid seal.
@@ -47,10 +45,6 @@ impl fmt::Display for ResumeFault {
             ),
             Self::Cut => f.write_str(
                 "a cutting program is not resumed: run it again, the tool goes along cuts that are there already",
-            ),
-            Self::Laser => f.write_str(
-                "a laser's program is not resumed: its heat on a seam that is half made was never tested; cut the piece out, and run the \
-                 program again on new fabric",
             ),
             Self::Damaged(finding) => {
                 write!(f, "the file is damaged, take it from the published directory again: {finding}")

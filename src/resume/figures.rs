@@ -37,7 +37,7 @@ impl Figures {
                 seam = step.title.and_then(number).unwrap_or(0.0);
             }
             if step.title == title {
-                first = (first.0 + flat, first.1 + step.seconds);
+                first = (first.0 + flat, first.1 + step.even);
             }
         }
         let acceleration = old.acceleration;

@@ -33,7 +33,7 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
     let feeds = || record.all_processes().map(StatedProcess::feed);
     let contact = feeds().fold(f64::INFINITY, f64::min);
-    let acceleration = record.stroke_acceleration();
+    let acceleration = record.stated_acceleration();
     let fastest = feeds().fold(record.process.travel_speed.0, f64::max);
     let longest = seconds.min(DAY);
     match (set, acceleration) {

@@ -22,6 +22,7 @@ use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
 use program::plan::{Height, Pace, Ramp, Step};
+use proof::artifact::takes_packages;
 use proof::verify::{Finding, judge_clamps};
 use spec::{KeepOut, Process};
 
@@ -37,6 +38,8 @@ const LONGER: f64 = 0.25;
 pub struct Resumed {
     /// The program.
     pub text: String,
+    /// The program in a package, for a machine that takes packages.
+    pub package: Option<Vec<u8>>,
     /// Line of the old program in which the iron comes into contact again, from 1.
     pub line: usize,
     /// Length that is sealed twice, mm.
@@ -96,7 +99,9 @@ fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, least_overlap: f64) -> Result
     if let Some(finding) = judge::first_fault(record, &text, &toolpath.reach) {
         return Err(ResumeFault::Unproven(finding));
     }
-    Ok(Resumed { text, line: line + 1, overlap, done: share, seconds: figures.seconds })
+    let is_packed = takes_packages(record.controller.dialect);
+    let package = is_packed.then(|| emit::package(&text, figures.seconds)).flatten();
+    Ok(Resumed { text, package, line: line + 1, overlap, done: share, seconds: figures.seconds })
 }
 
 /// The first move of the sealing program `text` that meets one of `clamps`.

@@ -6,9 +6,9 @@ use program::plan::{Chop, Pace, Precision, stepper};
 use proof::verify::gcode;
 use proof::verify::gcode::Comment;
 use proof::verify::{ContactRule, IronRules};
-use spec::units::{Acceleration, Duration, Length, Speed, Temperature};
-use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
-use spec::{Motion, Process, Seal, SheetPlace, StepRate, TOXIC};
+use spec::units::{Acceleration, Duration, Length, Percent, Speed, Temperature};
+use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, LaserDrive};
+use spec::{Motion, Process, Seal, SheetPlace, StepRate, TOXIC, ZLimits};
 use std::collections::HashMap;
 
 /// The statements of a file's header.
@@ -25,6 +25,8 @@ pub(super) struct Record {
     sealing: HashMap<u64, usize>,
     /// The motor values on which the timing of its strokes depends.
     motion: Motion,
+    /// The acceleration with which a laser brakes at bends, mm/s^2.
+    bend_acceleration: Option<f64>,
     /// Whether the file has all values that its strokes' timing depends on; older files do not.
     is_timed: bool,
 }
@@ -68,10 +70,7 @@ impl Record {
             Some("cut") => return Err(ResumeFault::Cut),
             _ => return Err(ResumeFault::NotOurs("program: purpose=seal")),
         }
-        if header.find("laser").is_ok() {
-            return Err(ResumeFault::Laser);
-        }
-        let motion = header.motion()?;
+        let motion = Motion { z: header.z_limits(), ..header.motion()? };
         let pace = header.pace(&motion)?;
         let process = header.process()?;
         let (seal, path) = (header.seal()?, header.length("path", "tolerance_mm")?);
@@ -94,7 +93,20 @@ impl Record {
         let motion = Motion { chop_feed, ..motion };
         let is_timed = header.find("chop").is_err() || header.find("chop-start").is_ok();
         let controller = header.controller(comments, pace)?;
-        Ok(Self { controller, process, seal, path, default, processes, sealing, motion, is_timed })
+        let bend_acceleration = header.written_number("laser-ramps", "acceleration_mm_s2").ok();
+        let bend_acceleration = bend_acceleration.filter(|_| controller.laser.is_some());
+        Ok(Self {
+            controller,
+            process,
+            seal,
+            path,
+            default,
+            processes,
+            sealing,
+            motion,
+            bend_acceleration,
+            is_timed,
+        })
     }
 
     /// The dialect of the file.
@@ -144,12 +156,23 @@ impl Record {
         }
     }
 
-    /// The acceleration that the file states for its strokes, mm/s^2; `None` where no process is chopped.
-    pub(super) fn stroke_acceleration(&self) -> Option<f64> {
-        self.all_processes().find_map(|stated| match stated.pace {
+    /// The limits of Z.
+    pub(super) fn z_limits(&self) -> ZLimits {
+        self.motion.z
+    }
+
+    /// The acceleration that the file states, mm/s^2: of its strokes, or of a laser; `None` where it states none.
+    pub(super) fn stated_acceleration(&self) -> Option<f64> {
+        let of_strokes = self.all_processes().find_map(|stated| match stated.pace {
             Pace::Steady => None,
             Pace::Chopped(chop) => Some(chop.acceleration),
-        })
+        });
+        of_strokes.or(self.bend_acceleration)
+    }
+
+    /// The acceleration with which a laser brakes at bends, mm/s^2; `None` of an iron, which is too slow to brake.
+    pub(super) fn bend_acceleration(&self) -> Option<f64> {
+        self.bend_acceleration
     }
 
     /// Whether the controller joins short moves to the next one, so that a seam can continue only at a stop.
@@ -248,9 +271,16 @@ impl Header {
             heating,
             thumbnails: false,
             place: self.place()?,
-            // Programs of lasers are refused before.
-            laser: None,
+            laser: self.laser()?,
         })
+    }
+
+    /// The laser that welds; `None` where an iron seals.
+    fn laser(&self) -> Result<Option<LaserDrive>, ResumeFault> {
+        if self.comments("laser").next().is_none() {
+            return Ok(None);
+        }
+        Ok(Some(LaserDrive { full_power: self.written_number("laser", "full_power_S")? }))
     }
 
     /// The place of the sheet; programs in the sheet's frame state none.
@@ -282,8 +312,14 @@ impl Header {
     }
 
     fn seal(&self) -> Result<Seal, ResumeFault> {
+        // A laser has a power in place of a temperature, and a focus in place of the contact.
+        let power = self.laser()?.map(|_| laser_power("seal", self.comments("seal"))).transpose()?;
+        let focus = power.map(|_| self.length("laser", "focus_mm")).transpose()?;
+        let temperature = if power.is_some() { 0.0 } else { self.number("seal", "temperature_C")? };
         Ok(Seal {
-            temperature: self.number("seal", "temperature_C").map(Temperature)?,
+            temperature: Temperature(temperature),
+            power,
+            height: focus,
             speed: self.number("seal", "speed_mm_s").map(Speed)?,
             band: self.length("seal", "band_mm")?,
             overlap: self.length("seal", "overlap_mm")?,
@@ -305,8 +341,11 @@ impl Header {
         let of_process = || self.comments("process").filter(|comment| comment.word("process") == Some(name));
         let number = |word: &str| of_process().find_map(|comment| comment.number(word));
         let stated = |word: &str| number(word).ok_or(ResumeFault::NotOurs("process"));
+        let power = default.seal.power.map(|_| laser_power("process", of_process())).transpose()?;
+        let temperature = if power.is_some() { 0.0 } else { stated("temperature_C")? };
         let seal = Seal {
-            temperature: Temperature(stated("temperature_C")?),
+            temperature: Temperature(temperature),
+            power,
             speed: Speed(stated("speed_mm_s")?),
             height: Some(Length(stated("contact_mm")?)),
             cool: Duration(stated("cool_s")?),
@@ -341,6 +380,18 @@ impl Header {
             .collect()
     }
 
+    /// The limits of Z; a file states those that are lower than the limits of X and Y.
+    fn z_limits(&self) -> ZLimits {
+        ZLimits {
+            speed: self.z_limit("speed_mm_s").map(Speed),
+            acceleration: self.z_limit("acceleration_mm_s2").map(Acceleration),
+        }
+    }
+
+    fn z_limit(&self, word: &str) -> Option<f64> {
+        self.number("z-limits", word).ok().filter(|limit| (1e-3..=1e6).contains(limit))
+    }
+
     fn motion(&self) -> Result<Motion, ResumeFault> {
         if self.find("chop").is_err() {
             return Ok(Motion::UNKNOWN);
@@ -357,6 +408,7 @@ impl Header {
             motion.first_step_rate = first.filter(|rate| (1e-3..=1e5).contains(rate));
             let least_steps = self.number("chop-moves", "least_steps");
             motion.min_move_steps = least_steps.map_or(0.0, |steps| steps.clamp(0.0, 100.0));
+            motion.s_curve = self.word("chop-ramps", "s_curve") == Some("yes");
         }
         motion.chop_feed = Some(Speed(self.written_number("chop", "feed_mm_min")? / 60.0));
         motion.acceleration = Some(Acceleration(self.written_number("chop-rest", "acceleration_mm_s2")?));
@@ -388,6 +440,16 @@ impl Header {
             stepper: stepper(motion),
         }))
     }
+}
+
+/// The power of a laser among `comments` with the key `key`: a part of full power.
+fn laser_power<'c>(
+    key: &'static str,
+    mut comments: impl Iterator<Item = &'c Comment>,
+) -> Result<Percent, ResumeFault> {
+    let percent = comments.find_map(|comment| comment.number("power_percent"));
+    let power = percent.filter(|percent| *percent > 0.0 && *percent <= 100.0).map(Percent);
+    power.ok_or(ResumeFault::NotOurs(key))
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ struct WalkedSeam {
 
 impl WalkedSeam {
     fn add(&mut self, step: &TimedMove, tolerance: f64) {
-        self.seconds += step.seconds;
+        self.seconds += step.even;
         let flat = step.flat();
         if step.phase == Phase::Contact {
             self.length += flat;
@@ -85,7 +85,7 @@ impl<'a> StatedFigures<'a> {
             travels: [0.0; 2],
             ahead: 0.0,
         };
-        let acceleration = record.stroke_acceleration().unwrap_or(LEAST_ACCELERATION);
+        let acceleration = record.stated_acceleration().unwrap_or(LEAST_ACCELERATION);
         // From rest to rest a way takes at most so much longer than at full speed.
         let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut last_step = None;
@@ -143,10 +143,11 @@ impl<'a> StatedFigures<'a> {
     /// What the comment about the whole program should state.
     fn wrong_total(&self, comment: &Comment) -> Option<String> {
         let (walked, contacts) = (&self.all, self.contacts.max(1.0));
+        let sealing = self.toolpath.sealing;
         let tolerance = (walked.chords + LENGTH * contacts) / self.speed() + SCHEDULE * contacts;
         let tolerance =
-            if self.toolpath.record.joins_moves() { tolerance + JOINED * walked.seconds } else { tolerance };
-        let [shortest, longest] = self.travels.map(|travels| walked.seconds + travels);
+            if self.toolpath.record.joins_moves() { tolerance + JOINED * sealing } else { tolerance };
+        let [shortest, longest] = self.travels.map(|travels| sealing + travels);
         // The accelerations of a rest are those of the whole job; its time is proven with the job's.
         let longest = if self.toolpath.job.is_some() { f64::INFINITY } else { longest + tolerance };
         wrong_length(comment, walked, contacts)

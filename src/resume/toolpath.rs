@@ -6,7 +6,7 @@ use crate::resume::ResumeFault;
 use crate::resume::record::{Record, StatedProcess};
 use geom::Bounds;
 use inflatable::numerics::last_holding;
-use program::plan::TravelLimits;
+use program::plan::{FastTool, TravelLimits};
 use proof::verify::Phase;
 use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
 use spec::{LEAST_ACCELERATION, MOST_ACCELERATION};
@@ -24,8 +24,8 @@ pub(super) struct TimedMove {
     pub(super) along: f64,
     /// Time before it, s.
     pub(super) begins: f64,
-    /// Time of the move, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule. A travel speeds up
-    /// and brakes.
+    /// Time of the move, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule; a laser brakes at
+    /// bends. A travel speeds up and brakes.
     pub(super) seconds: f64,
     /// Time of the move if it had its speed at once, s.
     pub(super) even: f64,
@@ -101,7 +101,8 @@ impl<'a> Toolpath<'a> {
                     Event::Comment(comment) => {
                         is_comment = true;
                         match comment.key() {
-                            Some("heat") => heat = Some(line.number - 1),
+                            // The operator arms a laser where an iron is heated.
+                            Some("heat" | "beam") => heat = Some(line.number - 1),
                             Some("total") if heatings.is_empty() => stated = comment.number("time_s"),
                             Some("job") if heatings.is_empty() => job = comment.number("time_s"),
                             _ => {}
@@ -132,7 +133,7 @@ impl<'a> Toolpath<'a> {
             seconds: 0.0,
             sealing: 0.0,
             cooling: 0.0,
-            acceleration: None,
+            acceleration: record.stated_acceleration(),
             travels: Vec::new(),
             stated,
             job,
@@ -166,7 +167,7 @@ impl<'a> Toolpath<'a> {
         }
         (self.seconds, self.sealing, self.cooling, self.travels, self.reach) =
             (ends, sealing, cooling, travels, reach);
-        self.acceleration = self.record.stroke_acceleration().or_else(|| self.fitted_acceleration());
+        self.acceleration = self.acceleration.or_else(|| self.fitted_acceleration());
         if self.acceleration.is_some() {
             self.seconds = self.moves().last().map_or(0.0, |last| last.begins + last.seconds);
         }
@@ -197,7 +198,8 @@ impl<'a> Toolpath<'a> {
 
     fn limits(&self, acceleration: Option<f64>) -> TravelLimits {
         let speed = self.record.process.travel_speed.0;
-        TravelLimits { dialect: self.record.controller.dialect, speed, acceleration }
+        let z = self.record.z_limits();
+        TravelLimits { dialect: self.record.controller.dialect, speed, acceleration, z }
     }
 
     /// Time of the whole job, of which this program may be the rest, s, without its first travel.
@@ -224,6 +226,8 @@ impl<'a> Toolpath<'a> {
         let mut stated = self.record.process_of(None);
         // The wait for a seam to cool, s, and whether a comment announces it.
         let (mut wait, mut cools) = (0.0, false);
+        // A laser on its way along a seam.
+        let mut laser: Option<FastTool> = None;
         let mut lines = self.text.split_inclusive('\n').enumerate();
         std::iter::from_fn(move || {
             for (i, line) in lines.by_ref() {
@@ -240,8 +244,11 @@ impl<'a> Toolpath<'a> {
                         // A line has one move at the most, which is passed on after its dwells.
                         Event::Move(step) => {
                             let timed = self.timed(step, last.as_ref(), stated);
-                            let begins = timed.begins + std::mem::take(&mut wait);
-                            share = last.replace(TimedMove { begins, title, ..timed });
+                            let braking_time = self.lost_at_bend(&timed, stated, &mut laser);
+                            let stop = if timed.phase == Phase::Clear { braking_time } else { 0.0 };
+                            let begins = timed.begins + std::mem::take(&mut wait) + stop;
+                            let seconds = timed.seconds + braking_time - stop;
+                            share = last.replace(TimedMove { begins, seconds, title, ..timed });
                         }
                         Event::Dwell(dwell) => {
                             if let Some(last) = &mut last {
@@ -257,6 +264,17 @@ impl<'a> Toolpath<'a> {
             }
             last.take()
         })
+    }
+
+    /// Time that a laser loses at the beginning of `step`, s, where it bends, starts or has stopped; `laser` is its state before it.
+    fn lost_at_bend(&self, step: &TimedMove, stated: &StatedProcess, laser: &mut Option<FastTool>) -> f64 {
+        let Some(acceleration) = self.record.bend_acceleration() else { return 0.0 };
+        let Some(path) = step.step.path.filter(|_| step.phase != Phase::Clear) else {
+            return laser.take().map_or(0.0, FastTool::stop);
+        };
+        let rise = step.step.to.z - step.step.from.z;
+        let tool = FastTool::following(&path, rise, stated.seal.speed.0, acceleration);
+        tool.loss(&path, rise, laser.replace(tool))
     }
 
     fn timed(&self, step: Move, last_move: Option<&TimedMove>, stated: &StatedProcess) -> TimedMove {

@@ -1,9 +1,14 @@
 //! Packages for Bambu Lab's printers: they hold the program that lies beside them, and are read back like it.
 
 use stargrip_cam::artifact::{Kind, KindRequest};
-use stargrip_cam::pipeline::{self, Built, Sources, align, no_requested_programs, read_back};
+use stargrip_cam::coupon::{CouponGroup, StripGrid};
+use stargrip_cam::pipeline::{
+    self, Built, MadeCoupons, Sources, align, feed_check, no_requested_programs, prove_feed_check, read_back,
+};
+use stargrip_cam::resume::{ResumeAt, resume};
 use stargrip_cam::spec::digest::md5;
 use stargrip_cam::spec::{self, Code, Machine};
+use stargrip_cam::units::{Length, Speed, Temperature};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 use crate::support::zip::{Part, archive, parts};
@@ -153,4 +158,65 @@ fn an_aligned_build_has_packages() {
         align(&files, None, marks.map(|mark| mark + shift)).unwrap_or_else(|fault| panic!("{fault}"));
     let names: Vec<&str> = aligned.built().artifacts.iter().map(|file| file.name.as_str()).collect();
     assert!(names.contains(&PACKAGE) && names.contains(&"star-1-seal.gcode"), "{names:?}");
+}
+
+/// The program in the package `bytes`.
+fn packed(bytes: &[u8]) -> Vec<u8> {
+    part(&mut parts(bytes), PROGRAM).clone()
+}
+
+/// Trace, seal and cut of a build, coupons, the feed check and the rest of a job.
+#[test]
+fn every_program_for_the_printer_has_a_package() {
+    let cut = "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"10 mm/s\"\nheight = \"-1 mm\"\n";
+    let (toml, profile) =
+        (format!("{}{cut}", text("bambu")), spec::builtin_machine("bambu").expect("built in"));
+    let (reading, machine) = (read(&toml), Machine::builtin("bambu").expect("built in"));
+    let sources = Sources { spec: &toml, machine: profile };
+    let build = pipeline::build(&reading, &machine, sources, &KindRequest::default())
+        .unwrap_or_else(|refusals| panic!("{refusals}"));
+    let files = files_of(&build);
+    assert_eq!(read_back(&files).findings, []);
+    // Coupons lie in a directory of their own; what is compared is the same.
+    let coupons = MadeCoupons::new(&reading, &machine, sources, &grid(), &[CouponGroup::Strips]);
+    let coupons = coupons.unwrap_or_else(|refusals| panic!("{refusals}")).prove();
+    let coupons = coupons.unwrap_or_else(|findings| panic!("{findings:?}"));
+    let built = files.names().map(|name| (name.to_owned(), content(&files, name).to_vec()));
+    let of_coupons = coupons.files().into_iter().map(|(name, bytes)| (name.to_owned(), bytes));
+    for list in [built.collect::<Vec<_>>(), of_coupons.collect()] {
+        let packages: Vec<_> = list.iter().filter(|(name, _)| name.strip_suffix(".3mf").is_some()).collect();
+        let programs = list.iter().filter(|(name, _)| name.strip_suffix(".gcode").is_some()).count();
+        assert!(
+            programs > 0 && packages.len() == programs,
+            "{programs} programs, {} packages",
+            packages.len()
+        );
+        for (name, bytes) in packages {
+            let plain = list.iter().find(|(plain, _)| format!("{plain}.3mf") == *name).expect("a program");
+            assert!(packed(bytes) == plain.1, "{name}");
+        }
+    }
+    let seal = String::from_utf8(content(&files, "star-1-seal.gcode").to_vec()).expect("text");
+    let rest = resume(&seal, ResumeAt::Share(0.5), None).unwrap_or_else(|fault| panic!("{fault}"));
+    assert!(packed(&rest.package.expect("a package")) == rest.text.as_bytes());
+    let check =
+        feed_check(&reading, &machine, sources, "check.gcode").unwrap_or_else(|fault| panic!("{fault:?}"));
+    let package = check.package.expect("a package");
+    assert!(packed(&package) == check.text.as_bytes());
+    assert_eq!(prove_feed_check("check.gcode.3mf", &package, &check.manifest).findings, []);
+    let mut list = parts(&package);
+    edit(&mut list, PROGRAM, "G1 ", "G0 ");
+    let forged = prove_feed_check("check.gcode.3mf", &archive(&list), &check.manifest).findings;
+    assert!(forged.iter().any(|finding| finding.code == "wrong-package"), "{forged:?}");
+}
+
+/// One setting.
+fn grid() -> StripGrid {
+    StripGrid {
+        temperatures: vec![Temperature(200.0)],
+        powers: Vec::new(),
+        speeds: vec![Speed(10.0)],
+        heights: vec![Length(-0.3)],
+        repeats: 1,
+    }
 }

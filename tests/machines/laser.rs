@@ -4,7 +4,6 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Design;
 use stargrip_cam::geom::{Path, Point};
 use stargrip_cam::pipeline::{Built, read_back};
-use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
 use stargrip_cam::spec::LASER_PROFILE;
 
 use crate::clock::controller::{Motors, run};
@@ -16,13 +15,13 @@ use crate::{
     try_built_with,
 };
 
-const SEAL: &str = "star-1-seal.gcode";
+pub(crate) const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
 /// S words of the two loops.
 const INNER: &str = "S95";
 
 /// Two loops of different powers, with a wait and a pause between them.
-const POWERS: &str = "inner_process = \"strong\"\n[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\npause = \"seam\"\n\
+pub(crate) const POWERS: &str = "inner_process = \"strong\"\n[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\npause = \"seam\"\n\
     [process.strong]\npower = \"9.5 %\"\nspeed = \"8 mm/s\"\ncool = \"1 s\"\n";
 
 /// The star with two powers on the machine `machine_text`.
@@ -33,7 +32,7 @@ fn built_on(machine_text: &str) -> Built {
 }
 
 /// The profile of a laser on a controller of `dialect`.
-fn profile_of(dialect: &str) -> String {
+pub(crate) fn profile_of(dialect: &str) -> String {
     profile(LASER_PROFILE).replace("dialect = \"grbl\"", &format!("dialect = \"{dialect}\""))
 }
 
@@ -354,7 +353,4 @@ fn a_laser_and_an_iron_are_not_mistaken_for_each_other() {
         assert_eq!(codes, [code], "{seal}");
         assert!(!refusals[0].remedy.contains("chop"), "{refusals:?}");
     }
-    let build = built_on(lasers);
-    let rest = resume(&text(&build, SEAL), ResumeAt::Share(0.5), None);
-    assert_eq!(rest.map(|_| ()), Err(ResumeFault::Laser));
 }

@@ -12,6 +12,7 @@ mod drawings;
 mod faults;
 mod job_size;
 mod laser;
+mod laser_resume;
 mod lowest_feed;
 #[path = "../design/readers/png.rs"]
 mod png;

@@ -55,6 +55,8 @@ async function moved(page, what) {
     await page.waitForFunction(() => document.getElementById("moved-note").textContent.startsWith("two coordinates"));
     await page.fill("[name=mark1]", marks[0]);
     const [download] = await Promise.all([page.waitForEvent("download"), page.click("#moved-form button")]);
+    const note = await page.textContent("#moved-note");
+    must(note.includes("turned by 0.000 deg, shifted by X 2.00 Y 1.00 mm"), `${what}: the note is ${note}`);
     const file = join(out, `${what}-moved.zip`), dir = join(out, `${what}-moved`);
     await download.saveAs(file);
     rmSync(dir, { recursive: true, force: true });

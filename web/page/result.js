@@ -6,7 +6,7 @@ import { zipped } from "./zip.js";
 const LIFETIME = 60_000;
 /** The files by what is done with them, in that order; a kind begins with one of the words. */
 const USES = [
-    ["Run on the machine: first the trace, in the air", ["trace", "seal-gcode", "seal-3mf", "cut-gcode"]],
+    ["Run on the machine: first the trace, in the air", ["trace", "seal-gcode", "seal-3mf", "cut-"]],
     ["Cut", ["outline", "cut", "seal-"]],
     ["Coat, separate, stack", ["mask", "separator", "pieces", "frame", "press"]],
     ["Look at and keep", ["report", "preview", "scene", "surface", "spec", "machine", "drawing", "prediction", ""]],
@@ -45,8 +45,8 @@ export class Result {
             event.preventDefault();
             const answer = await ask({ ...Object.fromEntries(new FormData(event.target)), sheet: Number(byId("sheets").value) + 1 }, this.#files);
             if (!answer) return;
-            const { reason, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
-            byId("moved-note").textContent = reason ?? "Proven where the sheet lies now.";
+            const { reason, motion, files } = answer, folder = `${byId("zip").dataset.folder}-aligned`;
+            byId("moved-note").textContent = reason ?? `Proven where the sheet lies now; ${motion}.`;
             if (!reason) save(`${folder}.zip`, zipped(folder, files));
         });
     }

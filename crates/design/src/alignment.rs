@@ -29,6 +29,17 @@ pub struct Alignment {
     pub stretch: f64,
 }
 
+impl Alignment {
+    /// Turn, shift and the error of the marks' distance in words, as the operator can check them.
+    pub fn in_words(&self) -> String {
+        let (turn, shift) = (self.motion.rotation.to_degrees(), self.motion.shift);
+        format!(
+            "sheet {}: turned by {turn:.3} deg, shifted by X {:.2} Y {:.2} mm; the marks are {:+.2} mm off their distance",
+            self.sheet, shift.x, shift.y, self.stretch
+        )
+    }
+}
+
 /// The reason for which a sheet cannot be aligned.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AlignmentFault {

@@ -79,7 +79,7 @@ pub use model::{
     Bed, BuildSpec, Colours, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Marks, Mask,
     MaskKind, ObjectShape, ProgramScope, Sheet, Spec, StarSpec,
 };
-pub use motion::{Motion, StepRate};
+pub use motion::{Motion, StepRate, ZLimits};
 pub use name::{NAME_LENGTH, check_name, is_plain_word, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PRESS_TIMES, PaperSize, Press, PressLayer};
 pub use product::ProductKind;

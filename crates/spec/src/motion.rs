@@ -32,6 +32,19 @@ pub struct Motion {
     /// Fewest steps of a move, on the axis that has most of them: a move of fewer is joined to the next one (Marlin,
     /// `MIN_STEPS_PER_SEGMENT`); 0 where a controller makes every move.
     pub min_move_steps: f64,
+    /// The limits of Z where they are lower than those of X and Y.
+    pub z: ZLimits,
+    /// Whether speeds follow an S where rates are whole (Marlin, `S_CURVE_ACCELERATION`); else they rise evenly.
+    pub s_curve: bool,
+}
+
+/// The limits of Z, which a screw often drives; `None` for those of X and Y.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ZLimits {
+    /// Largest speed: GRBL's $112, M203 Z.
+    pub speed: Option<Speed>,
+    /// Acceleration: GRBL's $122, M201 Z.
+    pub acceleration: Option<Acceleration>,
 }
 
 /// The lowest even step rate of a controller.
@@ -71,6 +84,8 @@ impl Motion {
         wraps: false,
         first_step_rate: None,
         min_move_steps: 0.0,
+        z: ZLimits { speed: None, acceleration: None },
+        s_curve: false,
     };
 
     /// Whether rates are rounded up to whole steps a second (Marlin: module/planner.cpp, `nominal_rate`).

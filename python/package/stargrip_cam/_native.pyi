@@ -865,6 +865,7 @@ def coupon(
     powers: Sequence[str] | None = None,
     speeds: Sequence[str] | None = None,
     heights: Sequence[str] | None = None,
+    focuses: Sequence[str] | None = None,
     times: Sequence[str] | None = None,
     only: Sequence[CouponKind] | None = None,
     repeats: int | None = None,
@@ -876,6 +877,7 @@ def coupon(
     powers: of a laser, in place of temperatures and heights, `["8 %", "10 %"]`; default: three quarters, once and five quarters of the spec's.
     speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's; of a laser half, once and twice.
     heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
+    focuses: of a laser, heights of its focus above the sheet, `["11 mm", "12 mm"]`; default: the spec's.
     times: of a heat press, in place of speeds and heights, `["10 s", "20 s"]`; default: half, once and twice the spec's.
     only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.
     repeats: how often each setting is sealed, 1 to 20; default: 3.

@@ -46,10 +46,8 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
         Dialect::Marlin if name == "prusa" => {
             sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track);
         }
-        Dialect::Marlin => {
-            let floor = if name == "ender" { 1.0 } else { 32.0 };
-            marlin(motors, floor, Version::Two).run(&tasks, &mut track);
-        }
+        Dialect::Marlin if name == "ender" => ender(motors, Version::Two).run(&tasks, &mut track),
+        Dialect::Marlin => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
         // klippy/toolhead.py, square_corner_velocity.
         Dialect::Klipper => sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track),
         // Config/Configuration.h: M566 of X and Y, and of Z.
@@ -66,7 +64,7 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
 
 /// The part of a stroke's time by which the dwell after it ends early on the controller of `dialect`, at `speed` mm/s.
 pub(crate) fn dwell_loss(dialect: &str, text: &Text, speed: f64) -> f64 {
-    let stroke = text.fact("chop.longest_mm").filter(|_| ["marlin", "ender"].contains(&dialect));
+    let stroke = text.fact("chop.longest_mm").filter(|_| dialect == "marlin");
     stroke.map_or(0.0, |stroke| super::marlin::EARLY * speed / stroke)
 }
 
@@ -132,7 +130,28 @@ fn grbl(timer: Timer, motors: Motors) -> Grbl {
 
 fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
     let Motors { acceleration, .. } = motors;
-    Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate, version }
+    Marlin {
+        steps_per_mm: motors.steps(),
+        acceleration,
+        z_acceleration: acceleration,
+        speed: [TRAVEL; 3],
+        lowest_rate,
+        version,
+        s_curve: false,
+    }
+}
+
+/// config/examples/Creality/Ender-3/CrealityV422/Configuration.h: DEFAULT_MAX_FEEDRATE, DEFAULT_MAX_ACCELERATION, S_CURVE_ACCELERATION.
+pub(crate) fn ender(motors: Motors, version: Version) -> Marlin {
+    let board = marlin(motors, 1.0, version);
+    Marlin { z_acceleration: 100.0, speed: [500.0, 500.0, 5.0], s_curve: true, ..board }
+}
+
+/// The track of a program on an Ender-3 with another version.
+pub(crate) fn run_ender(text: &Text, motors: Motors, version: Version) -> Track {
+    let mut track = Track::default();
+    ender(motors, version).run(&tasks(text, &reading(Dialect::Marlin)), &mut track);
+    track
 }
 
 /// A controller that looks ahead, with the length of a unit of its dwells, s.

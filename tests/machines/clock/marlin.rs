@@ -37,11 +37,15 @@ pub(crate) struct Marlin {
     pub(crate) steps_per_mm: [f64; 3],
     /// Acceleration along the path, mm/s^2.
     pub(crate) acceleration: f64,
+    /// Acceleration of Z, mm/s^2; X and Y have that of the path.
+    pub(crate) z_acceleration: f64,
     /// Largest speed of each axis, mm/s.
     pub(crate) speed: [f64; 3],
     /// The lowest step rate, steps/s: 1 with 32 bits, 32 on an AVR.
     pub(crate) lowest_rate: f64,
     pub(crate) version: Version,
+    /// S_CURVE_ACCELERATION.
+    pub(crate) s_curve: bool,
 }
 
 /// block_t.
@@ -113,8 +117,9 @@ impl Marlin {
             nominal_rate = (nominal_rate * factor).floor();
         }
         let nominal = requested * factor;
-        // M204 is along the path; LIMIT_ACCEL, which no axis exceeds, is no less if M201 has the same value.
-        let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
+        // M204 is along the path; LIMIT_ACCEL, which no axis exceeds, is no less for X and Y, whose M201 has the same value.
+        let limit = self.z_acceleration / unit[2].abs();
+        let acceleration = (self.acceleration.min(limit) * steps_per_mm).ceil() / steps_per_mm;
         let slowest = match self.version {
             Version::Two => LEAST_SPEED * LEAST_SPEED,
             Version::Newest => (0.5 * acceleration / steps_per_mm).min(nominal * nominal),
@@ -187,23 +192,30 @@ impl Marlin {
             up = (0.5 * (block.steps + steps_to(initial) - steps_to(last))).round().clamp(0.0, block.steps);
             down = block.steps - up;
         }
-        let (mut count, mut rate, mut peak) = (0.0, initial, initial);
-        let (mut speeding, mut braking) = (0.0, 0.5 / nominal);
+        let cruise = nominal.min((initial * initial + 2.0 * a * up).sqrt());
+        // "Initialize ac/deceleration time as if half the time passed."
+        let (mut count, mut peak) = (1.0, initial);
+        let (mut speeding, mut braking) = (0.5 / initial, 0.0);
+        track.moved(1.0 / block.steps, 1.0 / initial);
         while count < block.steps {
-            if count < up {
-                rate = (initial + (a * speeding).floor()).min(nominal);
-                peak = rate;
-                speeding += 1.0 / rate;
-                braking = 0.0;
+            let rate = if count < up {
+                peak = match self.s_curve {
+                    true => bezier(initial, cruise, a, speeding),
+                    false => (initial + (a * speeding).floor()).min(nominal),
+                };
+                speeding += 1.0 / peak;
+                peak
             } else if count >= block.steps - down {
-                rate = (peak - (a * braking).floor()).max(last);
+                let rate = match self.s_curve {
+                    true => bezier(cruise, last, a, braking),
+                    false => (peak - (a * braking).floor()).max(last),
+                };
                 braking += 1.0 / rate;
+                rate
             } else {
-                if rate != nominal || count == up {
-                    braking = 0.5 / nominal;
-                }
-                (rate, peak) = (nominal, nominal);
-            }
+                (peak, braking) = (nominal, 0.5 / nominal);
+                nominal
+            };
             // calc_timer_interval, without the rounding of its table.
             let seconds = 1.0 / rate.max(self.lowest_rate);
             count += 1.0;
@@ -225,6 +237,7 @@ impl Marlin {
             up = (0.5 * (block.steps + ramp(initial) - ramp(last))).ceil().clamp(0.0, block.steps);
             decelerate_after = up;
         }
+        let cruise = nominal.min((initial * initial + 2.0 * a * up).sqrt()).max(initial);
         let (mut speeding, mut braking, mut peak) = (0.0_f64, 0.0_f64, initial);
         let mut interval = 1.0 / initial;
         let mut count = 0.0;
@@ -232,10 +245,16 @@ impl Marlin {
             count += 1.0;
             track.moved(count / block.steps, interval);
             let step_rate = if count <= up {
-                peak = (initial + (a * speeding).floor()).min(nominal);
+                peak = match self.s_curve {
+                    true => bezier(initial, cruise, a, speeding),
+                    false => (initial + (a * speeding).floor()).min(nominal),
+                };
                 peak
             } else if count > decelerate_after {
-                (peak - (a * braking).floor()).max(last)
+                match self.s_curve {
+                    true => bezier(cruise, last, a, braking),
+                    false => (peak - (a * braking).floor()).max(last),
+                }
             } else {
                 nominal
             };
@@ -246,5 +265,15 @@ impl Marlin {
                 braking += interval;
             }
         }
+    }
+}
+
+/// _calc_bezier_curve_coeffs and _eval_bezier_curve: the rate `time` after a ramp between two rates began, which takes as long as an even one.
+fn bezier(from: f64, to: f64, acceleration: f64, time: f64) -> f64 {
+    let t = (time * acceleration / (to - from).abs()).min(1.0);
+    if t < 1.0 {
+        (from + (to - from) * (6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3))).floor()
+    } else {
+        to
     }
 }

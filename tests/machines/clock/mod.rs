@@ -25,10 +25,12 @@ mod timer;
 pub(crate) mod track;
 
 use stargrip_cam::resume::{ResumeAt, resume};
+use stargrip_cam::units::Speed;
 
-use self::controller::{BOARDS, Motors, run, run_marlin};
+use self::controller::{BOARDS, Motors, run, run_ender, run_marlin};
 use self::judge::{OTHER_VERSION, deviations_within};
-use self::programs::{all_profiles, coupon_programs, feed_check, machine, seals, spec};
+use self::marlin::Version;
+use self::programs::{all_profiles, coupon_programs, feed_check, machine, machine_of_ender, seals, spec};
 use self::text::Text;
 
 /// Tolerance of the time of a resumed program, as a part of it.
@@ -103,6 +105,26 @@ fn traces_travel_and_do_not_crawl() {
             // 20 mm/s, travels, and stops at the corners.
             let told = length / 20.0;
             assert!((told..3.0 * told).contains(&track.now), "{dialect}: {name}: {} of {told} s", track.now);
+        }
+    }
+}
+
+/// An Ender-3 with a version of Marlin that its profile states: slow and fast seals, with ramps and lifts of its slower Z.
+#[test]
+fn an_ender_keeps_every_speed_on_the_version_of_its_profile() {
+    let motors = own_motors("ender");
+    for version in [Version::Two, Version::Newest] {
+        let machine = machine_of_ender(motors, version);
+        for speed in [0.1, 0.2, 0.5, 1.0] {
+            let mut star = spec("ender", FIVE);
+            star.seal.speed = Speed(speed);
+            for (name, code) in seals(&star, &machine).0 {
+                let text = Text::read(&code);
+                let track = run_ender(&text, motors, version);
+                let (deviation, complaints) = deviations_within(judge::MEAN, &text, &track, speed, 0.0);
+                println!("{version:?} {name} {speed} mm/s {deviation:?}");
+                assert!(complaints.is_empty(), "{version:?} {name} {speed} mm/s: {complaints:?}");
+            }
         }
     }
 }

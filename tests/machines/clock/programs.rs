@@ -37,6 +37,14 @@ pub(crate) fn machine_of_marlin(motors: Motors, board: Board) -> Machine {
     adapted(&text, true, motors)
 }
 
+/// The profile of an Ender-3 with Marlin of this version.
+pub(crate) fn machine_of_ender(motors: Motors, version: Version) -> Machine {
+    let text = builtin_machine("ender").expect("built in");
+    let rate = if version == Version::Two { "120" } else { "\"none\"" };
+    let profile = text.replace("first_step_rate = 120", &format!("first_step_rate = {rate}"));
+    adapted(&profile, true, motors)
+}
+
 fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {
     let lines = text.lines().map(|line| {
         let key = line.split(' ').next().unwrap_or_default();
@@ -74,7 +82,10 @@ pub(crate) fn seals(spec: &Spec, machine: &Machine) -> (Vec<Named>, Vec<Named>) 
 }
 
 pub(crate) fn feed_check(spec: &Spec, machine: &Machine) -> Named {
-    ("feedcheck".to_owned(), emit::feed_check(spec, machine, &feed_checks(spec, machine)))
+    let text = emit::feed_check(spec, machine, &feed_checks(spec, machine));
+    // Its total begins above the sheet's corner, whose place it does not state.
+    let lines = text.lines().filter(|line| !line.starts_with("; total:"));
+    ("feedcheck".to_owned(), lines.collect::<Vec<_>>().join("\n"))
 }
 
 /// Strips at three speeds, and the other coupons.

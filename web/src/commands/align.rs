@@ -28,5 +28,6 @@ pub(super) fn align(question: &Value, files: Vec<(String, Vec<u8>)>) -> Result<M
     let sheet = question["sheet"].as_u64().and_then(|number| usize::try_from(number).ok());
     let proven = aligned(&build, sheet, marks).map_err(|fault| refused(&fault.to_string()))?;
     let files = proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
-    Ok(Message { json: json!({}), files })
+    let motion = proven.built().forecast.design.alignment.map(|alignment| alignment.in_words());
+    Ok(Message { json: json!({ "motion": motion }), files })
 }

@@ -6,7 +6,7 @@
 //! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `model` | faults, settings, the overview, the proof, files |
 //! | `look` | `spec`, `machine`, the drawing | faults, settings, the overview, the picture: no files |
 //! | `verify` | files | the proof, as with `verify --json` |
-//! | `align` | the files of a build, `mark1`, `mark2`, `sheet` | the files for the sheet as it lies now, or the `reason` |
+//! | `align` | the files of a build, `mark1`, `mark2`, `sheet` | the files for the sheet as it lies now and its `motion` in words, or the `reason` |
 //! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |

@@ -3,8 +3,8 @@
 use crate::gcode::writer::Writer;
 use crate::gcode::{Facts, Job};
 use crate::number::number;
-use crate::plan::{CHECK_LENGTH, Program};
-use spec::{Machine, Spec};
+use crate::plan::{CHECK_LENGTH, Program, feed_check_seconds};
+use spec::{Dialect, Machine, Spec};
 
 /// The first comment of every feed check.
 pub const FEED_CHECK_TITLE: &str = "stargrip-cam feedcheck program";
@@ -18,6 +18,11 @@ pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Progr
     writer.comment(FEED_CHECK_TITLE);
     writer.comment("cold, at travel height: time each line with a watch");
     writer.comment("each pause must stop the machine where the comment before it says");
+    if machine.controller.dialect == Dialect::Bambu {
+        // A package states the time of its program.
+        let seconds = feed_check_seconds(spec, machine, checks);
+        writer.comment(&format!("total: time_s={seconds:.0}"));
+    }
     for line in &script.requires {
         writer.requirement(&format!("requires: {line}"));
     }

@@ -7,7 +7,7 @@ use crate::plan::{
     laser_settings,
 };
 use sealed::scope;
-use spec::{CutTool, DwellUnit, Machine, Seal};
+use spec::{CutTool, DwellUnit, Machine, Seal, ZLimits};
 
 /// Writes the header of `program`.
 pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
@@ -137,6 +137,21 @@ fn machine_facts(writer: &mut Writer<'_>) {
     }
 }
 
+/// The limits of Z, where they are lower than those of X and Y, and the acceleration with which a laser brakes at bends.
+fn limits(writer: &mut Writer<'_>, machine: &Machine) {
+    let limits = machine.motion.z;
+    let speed = limits.speed.map(|speed| format!(" speed_mm_s={}", number(speed.0)));
+    let acceleration = limits.acceleration.map(|a| format!(" acceleration_mm_s2={}", number(a.0)));
+    if limits != ZLimits::default() {
+        writer.facts(
+            &["z-limits:".to_owned(), speed.unwrap_or_default(), acceleration.unwrap_or_default()].concat(),
+        );
+    }
+    if let Some(acceleration) = machine.motion.acceleration.filter(|_| machine.controller.laser.is_some()) {
+        writer.facts(&format!("laser-ramps: acceleration_mm_s2={}", number(acceleration.0)));
+    }
+}
+
 /// The processes of the program, a fact a line: the name of one is as long as a line may be short.
 fn processes(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
     for PacedProcess { process, pace, .. } in &program.processes {
@@ -158,6 +173,7 @@ fn processes(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
 
 /// The tasks of the operator, and the settings on which a chopped program relies.
 fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
+    limits(writer, machine);
     let chopped = program.processes.iter().find_map(|paced| match paced.pace {
         Pace::Chopped(chop) => Some(chop),
         Pace::Steady => None,
@@ -176,6 +192,9 @@ fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
             if stepper.first_rate.is_some() || stepper.least_steps > 0.0 {
                 let (first, steps) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
                 writer.facts(&format!("chop-moves: first_Hz={first} least_steps={steps}"));
+            }
+            if stepper.s_curve {
+                writer.facts("chop-ramps: s_curve=yes");
             }
         }
         let axes =

@@ -61,6 +61,7 @@ pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, start: Point) ->
     let mut writer = Writer::new(facts);
     writer.at = writer.round(start);
     let mut job = Job::new(pace, writer);
+    job.beam = facts.controller.laser.zip(facts.seal.power).map(|(laser, power)| laser.word(power.0));
     for step in steps {
         job.step(step);
     }
@@ -141,6 +142,9 @@ impl<'a> Job<'a> {
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 if matches!(step, Step::TouchDown(_)) {
                     self.pacer = self.first;
+                }
+                if self.whole.is_none() && self.beam.is_some() {
+                    self.writer.beam_ready();
                 }
                 self.writer.set_beam(self.beam.map(|_| 0.0));
                 for (piece, from, to) in ramp.with_heights() {

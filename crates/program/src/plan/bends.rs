@@ -15,7 +15,7 @@ type Direction = [f64; 3];
 
 /// A tool on its way along a path, which has not stopped yet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FastTool {
+pub struct FastTool {
     /// Speed along the path, mm/s.
     speed: f64,
     /// Acceleration of each axis, mm/s^2.
@@ -26,12 +26,12 @@ pub(super) struct FastTool {
 
 impl FastTool {
     /// The tool at the end of `piece`, which it follows at `speed`, mm/s, with a rise of `rise` mm.
-    pub(super) fn following(piece: &Segment, rise: f64, speed: f64, acceleration: f64) -> Self {
+    pub fn following(piece: &Segment, rise: f64, speed: f64, acceleration: f64) -> Self {
         Self { speed, acceleration, direction: direction(piece, rise, 1.0) }
     }
 
     /// Time lost where a tool begins to follow `piece` after `previous`, or from rest, s.
-    pub(super) fn loss(self, piece: &Segment, rise: f64, previous: Option<Self>) -> f64 {
+    pub fn loss(self, piece: &Segment, rise: f64, previous: Option<Self>) -> f64 {
         let start = direction(piece, rise, 0.0);
         let Some(previous) = previous else { return 0.5 * self.speed / self.limit(start) };
         let bend: [f64; 3] = std::array::from_fn(|i| start[i] - previous.direction[i]);
@@ -48,7 +48,7 @@ impl FastTool {
     }
 
     /// Time lost where it stops, s.
-    pub(super) fn stop(self) -> f64 {
+    pub fn stop(self) -> f64 {
         0.5 * self.speed / self.limit(self.direction)
     }
 

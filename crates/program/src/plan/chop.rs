@@ -11,6 +11,10 @@ const STROKES: f64 = 13.0;
 /// Strokes in a band where a controller joins short moves: now and then a stroke is longer by a part of another one.
 const SHORT_STROKES: f64 = 15.0;
 
+/// Least time of a stroke where rates are whole steps a second, s: half a millisecond, by which the end of Marlin's dwell is uncertain,
+/// is then 0.2 % of it.
+const LEAST_TIME: f64 = 0.25;
+
 /// The limits by which a path is chopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chop {
@@ -45,6 +49,8 @@ pub fn stepper(motion: &Motion) -> Option<Stepper> {
         wraps: motion.wraps,
         first_rate: motion.first_step_rate,
         least_steps: motion.min_move_steps,
+        z: motion.z,
+        s_curve: motion.s_curve,
     })
 }
 
@@ -65,7 +71,8 @@ impl Chop {
             start_delay: motion.start_delay.0,
             stepper: stepper(motion),
         };
-        Some(Self { longest: chop.longest.max(chop.least_stroke(speed)), ..chop })
+        let least_time = if motion.has_whole_rates() { LEAST_TIME } else { 0.0 };
+        Some(Self { longest: chop.longest.max(chop.least_stroke(speed)).max(least_time * speed), ..chop })
     }
 
     /// In how many strokes a way of `length`, mm, is travelled: such as the controller makes, where there is room for them.

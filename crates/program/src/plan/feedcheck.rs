@@ -44,6 +44,13 @@ fn line_to(x: f64, y: f64) -> Segment {
     Segment::from(Line::new(Point::ORIGIN, Point::new(x, y)))
 }
 
+/// Time of all of `checks`, one after the other, without pauses, s.
+pub fn feed_check_seconds(spec: &Spec, machine: &Machine, checks: &[(&'static str, Program)]) -> f64 {
+    let steps = checks.iter().flat_map(|(_, program)| program.steps.clone());
+    let steps = steps.chain([Step::Height(Height::Park)]).collect();
+    Program::new(spec, machine, SCOPE, steps, SeamList::default()).time
+}
+
 /// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.
 pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();

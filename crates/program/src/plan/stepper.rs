@@ -7,7 +7,8 @@
 //! beginning of its segment, which is too long where the segment has more ticks than one: it was written for segments of one
 //! (repository gnea/grbl, stepper.c, `st_prep_buffer`, `RAMP_ACCEL`; planner.c).
 
-use crate::plan::whole_rates::WholeRates;
+use crate::plan::whole_rates::{RateRules, WholeRates};
+use spec::ZLimits;
 
 /// The properties of a controller's stepping.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +25,10 @@ pub struct Stepper {
     pub first_rate: Option<f64>,
     /// Fewest steps of a move that is not joined to the next one.
     pub least_steps: f64,
+    /// The limits of Z on a ramp.
+    pub z: ZLimits,
+    /// Whether speeds follow an S where rates are whole.
+    pub s_curve: bool,
 }
 
 /// Least steps of a segment, except the last.
@@ -81,13 +86,17 @@ impl Stepper {
         if most_steps < 0.5 {
             return 0.0;
         }
+        // A limit of Z holds for its part of a way; without Z the way has none.
+        let speed = self.z.speed.map_or(speed, |limit| speed.min(limit.0 * length / way[2]));
+        let z_limit = self.z.acceleration.map_or(acceleration, |limit| limit.0) * length / way[2];
         if self.tick == 0.0 {
-            let rates = WholeRates::new(most_steps / length, speed, acceleration, self.rate, self.first_rate);
-            return rates.seconds(most_steps);
+            let path_acceleration = acceleration.min(z_limit);
+            let rules = RateRules { floor: self.rate, first: self.first_rate, s_curve: self.s_curve };
+            return WholeRates::new(&rules, most_steps / length, speed, path_acceleration)
+                .seconds(most_steps);
         }
         // Every axis speeds up at most so fast: together, at an angle, they are faster.
-        let path_acceleration =
-            acceleration * length / way.iter().fold(0.0_f64, |most_steps, d| most_steps.max(*d));
+        let path_acceleration = z_limit.min(acceleration * length / way[0].max(way[1]));
         let ideal = Trapezoid::new(length, speed, path_acceleration);
         if ideal.total > LONG {
             return ideal.total;
@@ -163,12 +172,15 @@ impl Stepper {
         wraps: false,
         first_rate: None,
         least_steps: 0.0,
+        z: ZLimits { speed: None, acceleration: None },
+        s_curve: false,
     };
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use spec::units::{Acceleration, Speed};
 
     #[test]
     fn a_step_of_fluidnc_wraps_at_multiples_of_27_ms() {
@@ -209,5 +221,25 @@ mod tests {
         assert_eq!(fine.seconds([0.0; 3], SPEED, 500.0), 0.0);
         // Slow enough for ramps not to matter, and quick to calculate.
         assert!((fine.seconds([8e6, 0.0, 0.0], 1e-3, 10.0) - 1e7).abs() < 1.0);
+    }
+
+    /// Times of one stroke on the firmware's own code, built for Linux with the Ender-3's configuration (docs/testing.md), s.
+    #[test]
+    fn strokes_take_as_long_as_on_the_firmware() {
+        let z = ZLimits { speed: Some(Speed(5.0)), acceleration: Some(Acceleration(100.0)) };
+        let ender = Stepper { rate: 1.0, tick: 0.0, s_curve: true, z, ..Stepper::GRBL };
+        for (first, steps, feed, seconds) in [
+            (Some(120.0), [11.0, 0.0, 0.0], 1.7183, 0.081_891),
+            (Some(120.0), [6.0, 9.0, 0.0], 1.7183, 0.077_898),
+            (Some(120.0), [5.0, 0.0, 46.0], 1.7183, 0.090_061),
+            (Some(120.0), [6.0, 0.0, 46.0], 1.7183, 0.093_330),
+            (None, [10.0, 0.0, 0.0], 1.7183, 0.072_569),
+            (None, [5.0, 0.0, 46.0], 1.7183, 0.090_991),
+            (None, [6.0, 0.0, 46.0], 1.25, 0.117_034),
+            (None, [0.0, 57.0, 0.0], 5.0, 0.150_020),
+        ] {
+            let computed = Stepper { first_rate: first, ..ender }.seconds(steps, feed, 500.0);
+            assert!((computed - seconds).abs() < 5e-5, "{first:?} {steps:?}: {computed}");
+        }
     }
 }

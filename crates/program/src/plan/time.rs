@@ -81,7 +81,7 @@ impl<'a> Clock<'a> {
         self.stop();
         let Machine { controller, process, motion, .. } = self.machine;
         let (speed, acceleration) = (process.travel_speed.0, motion.acceleration.map(|a| a.0));
-        let limits = TravelLimits { dialect: controller.dialect, speed, acceleration };
+        let limits = TravelLimits { dialect: controller.dialect, speed, acceleration, z: motion.z };
         let Some(mut travel) = Travel::new(limits, way) else { return };
         self.elapsed += travel.seconds_after(self.last.as_ref());
         self.last = Some(travel);

@@ -5,7 +5,7 @@
 //! elsewhere (GRBL $120 to $122; RepRapFirmware M201; LinuxCNC MAX_ACCELERATION). Two controllers do not stop where a level way
 //! meets one straight up or down.
 
-use spec::Dialect;
+use spec::{Dialect, ZLimits};
 
 /// The travel of a dialect.
 struct TravelHabits {
@@ -44,6 +44,8 @@ pub struct TravelLimits {
     pub speed: f64,
     /// mm/s^2; `None`: at speed at once.
     pub acceleration: Option<f64>,
+    /// Limits of Z, where they are lower.
+    pub z: ZLimits,
 }
 
 impl TravelLimits {
@@ -84,10 +86,14 @@ impl Travel {
         let TravelHabits { whole_speed, whole_ramp, bend } = habits(limits.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
         let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
+        let rise = way[2].abs() / length;
+        let (z_speed, z_acceleration) =
+            (limits.z.speed.map_or(f64::INFINITY, |z| z.0 / rise), limits.z.acceleration.map(|z| z.0 / rise));
+        let acceleration = limits.acceleration.map(|a| limit_along(a, whole_ramp));
         Some(Self {
             length,
-            speed: limit_along(limits.speed, whole_speed),
-            acceleration: limits.acceleration.map(|a| limit_along(a, whole_ramp)),
+            speed: limit_along(limits.speed, whole_speed).min(z_speed),
+            acceleration: acceleration.map(|a| a.min(z_acceleration.unwrap_or(f64::INFINITY))),
             entry: 0.0,
             bend,
             upright: way[2] != 0.0,
@@ -135,7 +141,7 @@ mod tests {
 
     fn limits(dialect: &str) -> TravelLimits {
         let (_, dialect) = Dialect::ALL.iter().find(|(name, _)| *name == dialect).expect("a dialect");
-        TravelLimits { dialect: *dialect, speed: 20.0, acceleration: Some(10.0) }
+        TravelLimits { dialect: *dialect, speed: 20.0, acceleration: Some(10.0), z: ZLimits::default() }
     }
 
     fn seconds(dialect: &str, way: [f64; 3]) -> f64 {

@@ -3,8 +3,8 @@
 //! A rate is a whole number of steps a second, rounded up. A ramp begins at the rate that is reached on
 //! average within its first step, and changes at every step by the time that the ramp has taken (repository
 //! MarlinFirmware/Marlin, module/planner.cpp, `_populate_block` and `calculate_trapezoid_for_block`; module/stepper.cpp,
-//! `block_phase_isr`). Up to 2.0.x a ramp begins and ends at 120 steps/s at least (`MINIMAL_STEP_RATE`), so that the first step
-//! of a slower stroke comes early; where there is a ramp its first rate holds for two steps.
+//! `block_phase_isr`), evenly or in an S (`S_CURVE_ACCELERATION`). Up to 2.0.x a ramp begins and ends at 120 steps/s at least
+//! (`MINIMAL_STEP_RATE`), so that the first step of a slower stroke comes early; where there is a ramp its first rate holds for two steps.
 
 use spec::{Motion, StepRate};
 
@@ -21,6 +21,16 @@ pub(super) fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
     Some((raised / rate - 1.0).max(1.0 / raised))
 }
 
+/// The rules of a controller for the rates of a stroke.
+pub(super) struct RateRules {
+    /// The lowest rate, steps/s.
+    pub(super) floor: f64,
+    /// The rate of a stroke's first step at least, steps/s, if there is one.
+    pub(super) first: Option<f64>,
+    /// Whether ramps follow an S.
+    pub(super) s_curve: bool,
+}
+
 /// Rates of a stroke, steps/s.
 pub(super) struct WholeRates {
     /// The rate at which a ramp begins and ends.
@@ -30,6 +40,8 @@ pub(super) struct WholeRates {
     acceleration: f64,
     /// Whether the first step has a rate of its own.
     has_first: bool,
+    /// Whether ramps follow an S.
+    s_curve: bool,
 }
 
 /// More steps than this take their nominal time: their two ramps do not count.
@@ -37,10 +49,40 @@ const MANY: f64 = 1e4;
 /// Speed of a ramp's ends where the first step has a rate of its own, mm/s (Configuration_adv.h, `MINIMUM_PLANNER_SPEED`).
 const END_SPEED: f64 = 0.05;
 
+/// A ramp: the rate of each step follows from the time before it.
+struct StepRamp {
+    from: f64,
+    to: f64,
+    acceleration: f64,
+    s_curve: bool,
+    /// Time since its beginning, s.
+    elapsed: f64,
+}
+
+impl StepRamp {
+    /// The rate of the next step.
+    fn next_rate(&mut self) -> f64 {
+        let gain = self.acceleration * self.elapsed;
+        let change = self.to - self.from;
+        let part = gain / change.abs();
+        let rate = match (self.s_curve, part < 1.0) {
+            // stepper.cpp, _eval_bezier_curve.
+            (true, true) => {
+                (self.from + change * part.powi(3) * (10.0 - 15.0 * part + 6.0 * part * part)).floor()
+            }
+            (true, false) => self.to,
+            (false, _) if change < 0.0 => (self.from - gain.floor()).max(self.to),
+            (false, _) => (self.from + gain.floor()).min(self.to),
+        };
+        self.elapsed += 1.0 / rate;
+        rate
+    }
+}
+
 impl WholeRates {
-    /// The rates at `per_mm` steps/mm along the way, at `speed` mm/s and `acceleration` mm/s^2, none below `floor` steps/s; the
-    /// first step has a rate of `first` steps/s at least, if there is such a rate.
-    pub(super) fn new(per_mm: f64, speed: f64, acceleration: f64, floor: f64, first: Option<f64>) -> Self {
+    /// The rates by `rules` at `per_mm` steps/mm along the way, at `speed` mm/s and `acceleration` mm/s^2.
+    pub(super) fn new(rules: &RateRules, per_mm: f64, speed: f64, acceleration: f64) -> Self {
+        let RateRules { floor, first, s_curve } = *rules;
         let slow = match first {
             Some(first) => (END_SPEED * per_mm).ceil().max(first),
             None => ((0.5 * acceleration / per_mm).sqrt().min(speed) * per_mm).round(),
@@ -50,17 +92,7 @@ impl WholeRates {
             even: (speed * per_mm - 1e-6).ceil().max(floor),
             acceleration: (acceleration * per_mm).ceil(),
             has_first: first.is_some(),
-        }
-    }
-
-    /// Time for these steps, s.
-    pub(super) fn seconds(&self, steps: f64) -> f64 {
-        if steps > MANY {
-            steps / self.even
-        } else if self.has_first {
-            self.time_from_first(steps)
-        } else {
-            self.time_from_rest(steps)
+            s_curve,
         }
     }
 
@@ -70,61 +102,43 @@ impl WholeRates {
         ((even * even - slow * slow) / (2.0 * acceleration)).max(0.0)
     }
 
-    /// Time where the first step has a rate of its own: rates change after a step, the first time by nothing.
-    fn time_from_first(&self, steps: f64) -> f64 {
-        let Self { slow, even, acceleration, .. } = *self;
-        let (mut up, mut down) = (self.ramp().ceil(), self.ramp().floor());
+    /// Time for these steps, s.
+    pub(super) fn seconds(&self, steps: f64) -> f64 {
+        let Self { slow, even, acceleration, has_first, s_curve } = *self;
+        if steps > MANY {
+            return steps / even;
+        }
+        let (mut up, mut down) = (self.ramp().ceil(), self.ramp().ceil());
+        if has_first {
+            down = self.ramp().floor();
+        }
+        let mut top = even;
         if up + down > steps {
-            up = (steps / 2.0).ceil();
+            // The even rate is not reached: half of the steps speed up.
+            up = if has_first { (steps / 2.0).ceil() } else { (steps / 2.0).round() };
             down = steps - up;
+            top = (slow * slow + 2.0 * acceleration * up).sqrt().min(even);
         }
-        let (mut elapsed, mut top, mut count) = (1.0 / slow, slow, 1.0);
-        let (mut ramp, mut brake) = (0.0, 0.0);
+        // Where the first step has a rate of its own, a ramp begins after it; else in its middle, and ends after half an even step.
+        let is_even = up + down < steps;
+        let (first_step, middle) = if has_first { (1.0, 0.0) } else { (0.0, 0.5 / slow) };
+        let braking = if is_even && !has_first { 0.5 / even } else { 0.0 };
+        let limit = if s_curve { top } else { even };
+        let mut rise = StepRamp { from: slow, to: limit, acceleration, s_curve, elapsed: middle };
+        let mut fall = StepRamp { from: top, to: slow, acceleration, s_curve, elapsed: braking };
+        let (mut elapsed, mut count) = (1.0 / slow, 1.0);
         while count < steps {
-            let interval = if count <= up {
-                top = (slow + (acceleration * ramp).floor()).min(even);
-                ramp += 1.0 / top;
-                1.0 / top
-            } else if count > steps - down {
-                let rate = (top - (acceleration * brake).floor()).max(slow);
-                brake += 1.0 / rate;
-                1.0 / rate
+            let rate = if up > 0.0 && count < up + first_step {
+                let rate = rise.next_rate();
+                fall.from = if s_curve { top } else { rate };
+                rate
+            } else if count >= steps - down + first_step {
+                fall.next_rate()
             } else {
-                1.0 / even
+                fall.from = if s_curve || has_first { fall.from } else { even };
+                even
             };
-            elapsed += interval;
-            count += 1.0;
-        }
-        elapsed
-    }
-
-    /// Time where ramps begin at the rate of their acceleration.
-    fn time_from_rest(&self, steps: f64) -> f64 {
-        let Self { slow, even, acceleration, .. } = *self;
-        let ramp_steps = self.ramp().ceil();
-        // Where the even rate is not reached, half of the steps speed up.
-        let has_no_even_part = 2.0 * ramp_steps > steps;
-        let up = if has_no_even_part { (steps / 2.0).round() } else { ramp_steps };
-        let down = if has_no_even_part { steps - up } else { ramp_steps };
-        let (mut ramp, mut rate, mut count) = (0.0, slow, 0.0);
-        while count < up {
-            rate = (slow + (acceleration * ramp).floor()).min(even);
-            ramp += 1.0 / rate;
-            count += 1.0;
-        }
-        let mut elapsed = ramp;
-        let flat = steps - up - down;
-        if flat > 0.0 {
-            elapsed += flat / even;
-            (rate, ramp) = (even, 0.5 / even);
-        } else {
-            ramp = 0.0;
-        }
-        count = 0.0;
-        while count < down {
-            let next_rate = (rate - (acceleration * ramp).floor()).max(slow);
-            ramp += 1.0 / next_rate;
-            elapsed += 1.0 / next_rate;
+            elapsed += 1.0 / rate;
             count += 1.0;
         }
         elapsed
@@ -160,7 +174,7 @@ mod tests {
     }
 
     fn rates(per_mm: f64, speed: f64, acceleration: f64, first: Option<f64>) -> WholeRates {
-        WholeRates::new(per_mm, speed, acceleration, 32.0, first)
+        WholeRates::new(&RateRules { floor: 32.0, first, s_curve: false }, per_mm, speed, acceleration)
     }
 
     /// 12 steps along Y at 0.68 mm/s, 55 steps/s: the first after 1/120 s, the others after 1/55 s. Measured on 2.0.9.7 are
@@ -194,10 +208,10 @@ mod tests {
     #[test]
     fn ramps_go_from_step_to_step() {
         let slow = rates(80.0, 0.68, 10.0, None);
-        // Up: 1/32, 1/57 would be above 55; so 2 steps up, 12 even, 2 down from 55 after half a step of it.
+        // Up: 32, then 32 + 800 / 64; so 2 steps up, 12 even, 2 down from 55 after half a step of it.
         let down = [55.0 - (800.0_f64 * 0.5 / 55.0).floor(), 0.0];
         let second = (55.0 - (800.0_f64 * (0.5 / 55.0 + 1.0 / down[0])).floor()).max(32.0);
-        let expected = 1.0 / 32.0 + 1.0 / 55.0 + 12.0 / 55.0 + 1.0 / down[0] + 1.0 / second;
+        let expected = 1.0 / 32.0 + 1.0 / 44.0 + 12.0 / 55.0 + 1.0 / down[0] + 1.0 / second;
         assert!((slow.seconds(16.0) - expected).abs() < 1e-12, "{}", slow.seconds(16.0));
         // One step has no ramps at all.
         assert!((slow.seconds(1.0) - 1.0 / 32.0).abs() < 1e-12);

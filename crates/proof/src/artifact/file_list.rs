@@ -123,6 +123,11 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
     }
 }
 
+/// Whether machines of `dialect` take files of `kind`: most take no package.
+fn is_taken(kind: Kind, dialect: Dialect) -> bool {
+    kind.format() != Format::Package || takes_packages(dialect)
+}
+
 /// All files of `design`: with `fits` as they are written, else with those on paper that are not.
 ///
 /// The parts follow one another as in [`Parts`], and of each part all kinds of files together.
@@ -135,15 +140,14 @@ fn list_files(
 ) -> Vec<Output> {
     let mut outputs: Vec<Output> = Parts::Sources.whole_design(spec).collect();
     // A press runs no programs.
-    let is_run =
-        |kind: &Kind| spec.press.is_none() && (kind.format() != Format::Package || takes_packages(dialect));
+    let is_run = |kind: &Kind| spec.press.is_none() && is_taken(*kind, dialect);
     for kind in Parts::Programs.kinds().into_iter().filter(is_run) {
         programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
         let part = OutputPart::Sheet(sheet.index);
         let mut kinds = Parts::Sheets.kinds();
-        kinds.retain(|kind| is_of_spec(spec, *kind));
+        kinds.retain(|kind| is_of_spec(spec, *kind) && is_taken(*kind, dialect));
         let ngc = |kind: Kind| kind.format() == Format::Gcode && program_ending(dialect) == NGC;
         outputs.extend(kinds.iter().map(|kind| Output { part, ngc: ngc(*kind), ..Output::new(*kind) }));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {

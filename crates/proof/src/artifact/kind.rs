@@ -127,8 +127,12 @@ kinds! {
     Seal3mf: "seal-3mf", Seal as Package;
     /// The trace of the iron's path without heat.
     TraceGcode: "trace-gcode", Trace as Gcode;
+    /// The trace in a package; only for Bambu Lab's printers.
+    Trace3mf: "trace-3mf", Trace as Package;
     /// The program that cuts the sheet after the seal; only for a spec with a tool for it.
     CutGcode: "cut-gcode", Cut as Gcode;
+    /// The program that cuts in a package; only for Bambu Lab's printers.
+    Cut3mf: "cut-3mf", Cut as Package;
     /// Centre lines of the seams.
     SealSvg: "seal-svg", Seal as Svg;
     /// Centre lines of the seams.

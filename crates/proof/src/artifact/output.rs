@@ -176,7 +176,9 @@ impl Output {
             | Kind::SealGcode
             | Kind::Seal3mf
             | Kind::TraceGcode
+            | Kind::Trace3mf
             | Kind::CutGcode
+            | Kind::Cut3mf
             | Kind::SealSvg
             | Kind::SealDxf
             | Kind::OutlineSvg

@@ -15,6 +15,7 @@ pub use judge::clamp::judge_clamps;
 pub use judge::expected::{Expected, OutputFiles};
 pub use judge::feed_check::FeedCheckTask;
 pub use judge::files::bytes::{compare_bytes, first_difference, mark_equal};
+pub use judge::files::package::program_in;
 pub use judge::files::proof::{FileProof, Method, Proof, prove};
 pub use judge::iron::judge_iron;
 pub use judge::path::compare::{self, Deviation, deviation};

@@ -4,10 +4,10 @@ use crate::FaultCode;
 use crate::allowed::Allowed;
 use crate::dialect::Dialect;
 use crate::fault::Fault;
-use crate::motion::{Motion, StepRate};
+use crate::motion::{Motion, StepRate, ZLimits};
 use crate::profile::known::{known_number, quantity_or_unknown, unless};
 use crate::section::Section;
-use crate::units::{Duration, Speed};
+use crate::units::{Acceleration, Duration, Speed};
 
 /// Least acceleration of the axes, mm/s^2.
 pub const LEAST_ACCELERATION: f64 = 0.1;
@@ -18,6 +18,8 @@ const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
+/// Largest speed of Z, mm/s: from a slow screw to a linear motor.
+const Z_SPEED: Allowed = Allowed::closed(1e-3, 1e3);
 /// Fewest steps of a move: more than a misconfigured firmware requires.
 const MOVE: Allowed = Allowed::closed(0.0, 100.0);
 
@@ -88,6 +90,14 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         wraps: dialect.timer_wraps(),
         first_step_rate: rate.and_then(|rate| rate.or(defaults.first_step_rate)),
         min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(defaults.min_move_steps),
+        z: ZLimits {
+            speed: s.quantity("z_speed", Z_SPEED),
+            acceleration: s.quantity::<Acceleration>(
+                "z_acceleration",
+                Allowed::closed(LEAST_ACCELERATION, MOST_ACCELERATION),
+            ),
+        },
+        s_curve: s.truth("s_curve").unwrap_or(false),
     }
 }
 

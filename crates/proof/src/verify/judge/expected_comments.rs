@@ -3,17 +3,17 @@
 //! Only what `resume` or the operator relies on is listed: the job, its machine, its strokes, its seams and the iron's temperature.
 //! All other comments are proven by the bytes of the whole file.
 
-use crate::verify::judge::stroke::shortest_move;
+use crate::verify::judge::stroke::{least_time, shortest_move};
 use crate::verify::judge::task::{ProgramTask, ProgramWork};
 use geom::Isometry;
 use sealed::LaidSeam;
-use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate};
+use spec::{CutTool, DwellUnit, Seal, SealProcess, StepRate, ZLimits};
 
 /// The beginning of the operator's instruction, who has no other source.
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
-pub(super) const KEYS: [&str; 24] = [
+pub(super) const KEYS: [&str; 27] = [
     "program",
     "seal",
     "machine",
@@ -26,6 +26,9 @@ pub(super) const KEYS: [&str; 24] = [
     "chop-steps",
     "chop-ticks",
     "chop-moves",
+    "chop-ramps",
+    "z-limits",
+    "laser-ramps",
     "process",
     "sealing",
     "seam",
@@ -133,6 +136,9 @@ fn heat(seal: &Seal) -> String {
 }
 
 /// The machine.
+///
+/// Words of one comment are always there. A comment that only some machines need comes after them: a laser, the place of the sheet, the
+/// limits of Z.
 fn machine(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     let ProgramTask { spec, machine, .. } = *task;
     let (controller, process) = (&machine.controller, &machine.process);
@@ -159,6 +165,16 @@ fn machine(task: &ProgramTask<'_>, comments: &mut Vec<String>) {
     {
         comments.push(format!("place: x_mm={x} y_mm={y} surface_mm={z}"));
     }
+    let limits = machine.motion.z;
+    if limits != ZLimits::default() {
+        let speed = limits.speed.map(|speed| format!(" speed_mm_s={}", speed.0)).unwrap_or_default();
+        let acceleration =
+            limits.acceleration.map(|a| format!(" acceleration_mm_s2={}", a.0)).unwrap_or_default();
+        comments.push(format!("z-limits:{speed}{acceleration}"));
+    }
+    if let (Some(_), Some(acceleration)) = (controller.laser, machine.motion.acceleration) {
+        comments.push(format!("laser-ramps: acceleration_mm_s2={}", acceleration.0));
+    }
 }
 
 /// Speed, mm/s, and largest length, mm, of the strokes of `seal`; `None` where too little is known of the machine.
@@ -169,7 +185,8 @@ fn stroke_limits(task: &ProgramTask<'_>, seal: &Seal) -> Option<(f64, f64)> {
     let shortest_stroke = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
     let shortest = shortest_move(motion);
     let count = if shortest > 0.0 { 15.0 } else { 13.0 };
-    Some((speed, shortest_stroke.max(seal.band.0 / count).max(shortest)))
+    let timed = seal.speed.0 * least_time(motion);
+    Some((speed, shortest_stroke.max(seal.band.0 / count).max(shortest).max(timed)))
 }
 
 /// The comment on the strokes of `seal`, and the settings on which their timing relies.
@@ -192,6 +209,9 @@ fn strokes(task: &ProgramTask<'_>, seal: &Seal, comments: &mut Vec<String>) {
         let (first, fewest) = (motion.first_step_rate.unwrap_or(0.0), motion.min_move_steps);
         if first > 0.0 || fewest > 0.0 {
             comments.push(format!("chop-moves: first_Hz={first} least_steps={fewest}"));
+        }
+        if motion.s_curve {
+            comments.push("chop-ramps: s_curve=yes".to_owned());
         }
     }
 }

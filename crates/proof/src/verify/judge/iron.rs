@@ -1,5 +1,6 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
+use crate::verify::judge::beam::BeamJudge;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::pace::Paced;
 use crate::verify::judge::ready::ReadyJudge;
@@ -30,6 +31,9 @@ pub fn judge_iron<'a>(
         Box::new(HeightJudge::new(&rules.process.heights, *area)),
     ];
     judges.extend(iron(rules));
+    judges.extend(
+        controller.laser.map(|laser| -> Box<dyn Judge + '_> { Box::new(BeamJudge::new(laser, rules)) }),
+    );
     let mut findings = Findings::default();
     let _ = judged(lines, Dialect::for_controller(controller), judges, &mut findings);
     findings.into_vec()

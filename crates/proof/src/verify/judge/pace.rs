@@ -6,7 +6,7 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{ContactCount, ContactRule, IronRules, Phase};
-use crate::verify::judge::stroke::{StrokeRun, shortest_move, step_seconds};
+use crate::verify::judge::stroke::{StrokeRun, least_time, shortest_move, step_seconds};
 use crate::verify::read::gcode::{Comment, Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use geom::Segment;
@@ -123,6 +123,7 @@ impl<'a> Paced<'a> {
         let shortest_time = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let length = if spared > 0.0 { shortest_time / spared } else { 0.0 };
+        let length = length.max(seal.speed.0 * least_time(self.rules.motion));
         // Where two strokes that the controller makes do not fit, one is nearly as long as both.
         let stroke_length = length.max(2.0 * shortest_move(self.rules.motion));
         stroke_length.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)

@@ -44,7 +44,6 @@ impl StrokeRun {
     pub(super) fn seconds(&self, motion: &Motion, speed: f64) -> f64 {
         let wait = motion.start_delay.0;
         let Some(a) = motion.acceleration.map(|a| a.0) else { return wait + self.length / speed };
-        let ramps = |length: f64, a: f64| Ramps::new(length, speed, a);
         match (motion.tick, motion.step_rate, motion.steps_per_mm) {
             (Some(tick), StepRate::AtLeast(rate), Some(scale)) => {
                 let mm: [f64; 3] = std::array::from_fn(|i| self.moved[i] / scale[i]);
@@ -53,16 +52,21 @@ impl StrokeRun {
                 if steps < 1.0 {
                     return wait;
                 }
+                // The parts of the way that are X or Y, and Z.
+                let (flat, upright) = (mm[0].max(mm[1]) / length, mm[2] / length);
+                let z_speed = motion.z.speed.map_or(f64::INFINITY, |limit| limit.0);
+                let z_a = motion.z.acceleration.map_or(a, |limit| limit.0);
+                let speed = if upright * speed > z_speed { z_speed / upright } else { speed };
                 if tick.0 == 0.0 {
-                    return wait + whole_rates(steps, length, (speed, a), rate, motion.first_step_rate);
+                    let a = if upright * a > z_a { z_a / upright } else { a };
+                    return wait + whole_rates(motion, steps, length, MarlinStroke { speed, a, floor: rate });
                 }
-                // Every axis has this acceleration: along a diagonal they have more.
-                let share = mm.into_iter().fold(0.0, f64::max) / length;
-                let way = ramps(length, a / share);
+                // Every axis has its own acceleration: along a diagonal they have more.
+                let way = Ramps::new(length, speed, (a / flat).min(z_a / upright));
                 let interval = |told: f64| if motion.wraps { early(told) } else { told }.min(1.0 / rate);
                 wait + if way.time < 20.0 { way.ticked(steps, tick.0, interval) } else { way.time }
             }
-            _ => wait + ramps(self.length, a).time,
+            _ => wait + Ramps::new(self.length, speed, a).time,
         }
     }
 }
@@ -86,66 +90,119 @@ pub(super) fn shortest_move(motion: &Motion) -> f64 {
     })
 }
 
+/// The least time of a longest stroke, s: a quarter of a second where the end of a dwell is uncertain by a millisecond (Marlin).
+pub(super) fn least_time(motion: &Motion) -> f64 {
+    if motion.tick.is_some_and(|tick| tick.0 == 0.0) { 0.25 } else { 0.0 }
+}
+
 fn millimetres_per_step(scale: f64) -> f64 {
     1.0 / scale
 }
 
-/// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
-/// steps a second, which is rounded up and is never below the `floor`; versions up to 2.0.x begin and end with the rate `first`.
-fn whole_rates(
-    steps: f64,
-    length: f64,
-    (speed, acceleration): (f64, f64),
+/// A stroke on Marlin: its speed, mm/s, and acceleration, mm/s^2, along the way, and the lowest step rate, steps/s.
+#[derive(Clone, Copy)]
+struct MarlinStroke {
+    speed: f64,
+    a: f64,
     floor: f64,
-    first: Option<f64>,
-) -> f64 {
+}
+
+/// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
+/// steps a second, which is rounded up and is never below the floor; versions up to 2.0.x begin and end with the rate of the first step.
+fn whole_rates(motion: &Motion, steps: f64, length: f64, stroke: MarlinStroke) -> f64 {
+    let MarlinStroke { speed, a, floor } = stroke;
     let scale = steps / length;
     let even = (speed * scale - 1e-6).ceil().max(floor);
-    if let Some(first) = first.filter(|_| steps <= 1e4) {
-        let first = first.max((0.05 * scale).ceil()).max(floor);
-        return with_first(steps, even, (acceleration * scale).ceil(), first);
-    }
-    let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(floor);
-    let gain = (acceleration * scale).ceil();
-    let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
+    let gain = (a * scale).ceil();
     if steps > 1e4 {
         return steps / even;
     }
-    let end_of_ramp = if ramp + ramp > steps { (0.5 * steps).round() } else { ramp };
-    let brake = if ramp + ramp > steps { end_of_ramp } else { steps - ramp };
-    let (mut count, mut total, mut ramp_time, mut top) = (0.0, 0.0, 0.0, slow);
+    if let Some(first) = motion.first_step_rate {
+        let first = first.max((0.05 * scale).ceil()).max(floor);
+        return with_first(steps, RateRamp { even, gain, s_curve: motion.s_curve }, first);
+    }
+    let slow = (speed.min((a / scale / 2.0).sqrt()) * scale).round().max(floor);
+    let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
+    let has_no_cruise = ramp + ramp > steps;
+    let end_of_ramp = if has_no_cruise { (0.5 * steps).round() } else { ramp };
+    let brake = if has_no_cruise { end_of_ramp } else { steps - ramp };
+    let cruise =
+        if has_no_cruise { even.min((slow.powi(2) + 2.0 * gain * end_of_ramp).sqrt()) } else { even };
+    let curve = RateRamp { even: cruise, gain, s_curve: motion.s_curve };
+    let (mut count, mut total, mut top) = (1.0, slow.recip(), slow);
+    let (mut rising, mut falling) = (0.5 / slow, 0.0);
     while count < steps {
-        total += if count < end_of_ramp {
-            top = even.min(slow + (gain * total).floor());
-            1.0 / top
+        let interval = if count < end_of_ramp {
+            top = curve.rising_rate(slow, rising).min(even);
+            rising += top.recip();
+            top.recip()
         } else if count < brake {
-            (top, ramp_time) = (even, 0.5 / even);
-            1.0 / even
+            (top, falling) = (even, 0.5 / even);
+            even.recip()
         } else {
-            let interval = 1.0 / slow.max(top - (gain * ramp_time).floor());
-            ramp_time += interval;
+            let interval = curve.braking_rate(top, slow, falling).recip();
+            falling += interval;
             interval
         };
+        total += interval;
         count += 1.0;
     }
     total
 }
 
+/// The rates between the slowest and the even one, steps/s, as they change with the gain, steps/s^2.
+#[derive(Clone, Copy)]
+struct RateRamp {
+    even: f64,
+    gain: f64,
+    s_curve: bool,
+}
+
+impl RateRamp {
+    /// The rate `time` after a beginning at `slow`.
+    fn rising_rate(self, slow: f64, time: f64) -> f64 {
+        if self.s_curve { self.curved(slow, self.even, time) } else { slow + (self.gain * time).floor() }
+    }
+
+    /// The rate `time` after braking began, evenly at `top`, down to `slow`.
+    fn braking_rate(self, top: f64, slow: f64, time: f64) -> f64 {
+        if self.s_curve {
+            self.curved(self.even, slow, time)
+        } else {
+            slow.max(top - (self.gain * time).floor())
+        }
+    }
+
+    /// Marlin's curve of the fifth degree from one rate to another.
+    fn curved(self, from: f64, to: f64, time: f64) -> f64 {
+        let duration = (to - from).abs() / self.gain;
+        if time >= duration {
+            return to;
+        }
+        let x = time / duration;
+        let weight = 6.0 * x.powi(5) - 15.0 * x.powi(4) + 10.0 * x.powi(3);
+        ((1.0 - weight) * from + weight * to).floor()
+    }
+}
+
 /// Time of a stroke that begins and ends at the rate `first`: the rate after a step is that of the time before it.
-fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
+fn with_first(steps: f64, ramp: RateRamp, first: f64) -> f64 {
+    let RateRamp { even, gain, .. } = ramp;
     let part = 0.5 * (even - first).max(0.0) * (even + first) / gain;
     let meet = (0.5 * steps).ceil();
-    let (gained, braking) =
-        if part.ceil() + part.floor() > steps { (meet, steps - meet) } else { (part.ceil(), part.floor()) };
+    let has_no_cruise = part.ceil() + part.floor() > steps;
+    let (gained, braking) = if has_no_cruise { (meet, steps - meet) } else { (part.ceil(), part.floor()) };
+    let cruise = if has_no_cruise { even.min((first.powi(2) + 2.0 * gain * meet).sqrt()) } else { even };
+    let curve = RateRamp { even: cruise, ..ramp };
     let (mut total, mut rising, mut falling, mut top) = (first.recip(), 0.0, 0.0, first);
     let mut step = 1.0;
     while step < steps {
         let rate = if step <= gained {
-            top = (first + (gain * rising).floor()).min(even);
+            top = curve.rising_rate(first, rising).min(even);
             rising += top.recip();
             top
         } else if step + braking > steps {
-            let rate = first.max(top - (gain * falling).floor());
+            let rate = curve.braking_rate(top, first, falling);
             falling += rate.recip();
             rate
         } else {

@@ -6,7 +6,7 @@ mod drawings;
 mod figures;
 mod layers;
 mod names;
-mod package;
+pub(in crate::verify) mod package;
 pub(in crate::verify) mod proof;
 mod solid;
 mod welded;

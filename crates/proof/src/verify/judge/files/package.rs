@@ -128,7 +128,7 @@ fn stated_time(program: &str) -> Option<&str> {
 }
 
 /// The program in the package `bytes`; `None`, with a finding, if its parts do not lead to one.
-pub(super) fn program_in<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<&'a str> {
+pub fn program_in<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<&'a str> {
     let program = read_zip(bytes).and_then(|entries| Package(entries).program());
     program.map_err(|finding| findings.push(finding)).ok()
 }

@@ -162,7 +162,7 @@ fn file(
             let task = ProgramTask::of_pieces(parts, work, sheet, output.part.sealed());
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
-        (Subject::Cut, Format::Gcode) => {
+        (Subject::Cut, Format::Gcode | Format::Package) => {
             let Some(process) = expected.spec.cut.program else { return (Method::Hash, None) };
             let cut_spec = expected.spec.cut_by(&process);
             let sheet = output.part.sheet().unwrap_or(0);
