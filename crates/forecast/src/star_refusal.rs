@@ -97,9 +97,9 @@ fn beyond_range(fabric: &Fabric, case: &Case, fault: &StarFault) -> Option<(KeyP
     }
 }
 
-/// The values of a Poisson's ratio from `least` to `most`.
-pub(crate) fn poisson_values([least, most]: [f64; 2]) -> String {
-    format!("a poisson_ratio from {least} to {most}")
+/// The values of a Poisson's ratio from `lowest` to `highest`.
+pub(crate) fn poisson_values([lowest, highest]: [f64; 2]) -> String {
+    format!("a poisson_ratio from {lowest} to {highest}")
 }
 
 /// The key that sets the thickness of the even sheet of `fabric`, and its values for a thickness that is larger by these `factors`, from the

@@ -156,7 +156,9 @@ pub(crate) fn refused(
     fabric: &Fabric,
     of_shape: impl Fn(&ShellFault) -> KeyPath,
 ) -> ShellRefusal {
-    let what = format!("{subject}{shell_fault}");
+    // A ratio of the fabric has values that its key may have, and a pressure has a range: both are the remedy. Of the other faults only the
+    // key is known.
+    let message = format!("{subject}{shell_fault}");
     let key = match shell_fault {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
         ShellFault::Pressure { found, least, most } => {
@@ -165,11 +167,11 @@ pub(crate) fn refused(
         }
         ShellFault::Range { name: Input::Poisson, least, most, .. } => {
             let remedy = Some(poisson_values([*least, *most]));
-            return PredictFault { remedy, ..PredictFault::new(key::fabric::POISSON_RATIO, what) }.into();
+            return PredictFault { remedy, ..PredictFault::new(key::fabric::POISSON_RATIO, message) }.into();
         }
-        ShellFault::Range { name: Input::Slenderness, found, least, most } => {
-            let (key, values) = thickness_values(fabric, [least / found, most / found]);
-            return PredictFault { remedy: Some(values), ..PredictFault::new(key, what) }.into();
+        ShellFault::Range { name: Input::Slenderness, found: ratio, least, most } => {
+            let (key, values) = thickness_values(fabric, [least / ratio, most / ratio]);
+            return PredictFault { remedy: Some(values), ..PredictFault::new(key, message) }.into();
         }
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
         ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
@@ -181,7 +183,7 @@ pub(crate) fn refused(
         | ShellFault::TooLarge { .. }
         | ShellFault::TooMany { .. } => of_shape(shell_fault),
     };
-    fault(key, what)
+    fault(key, message)
 }
 
 impl Measurements {

@@ -76,11 +76,9 @@ const SECONDS_OF_UNKNOWN: f64 = 6e-4;
 /// Tells `watch` the size of the computation before it begins, or refuses that of many different stars.
 fn begin(spec: &Spec, design: &StarAssembly, detail: Detail, watch: &Watch<'_>) -> Result<(), ShellRefusal> {
     let weave = fabric_weave(&spec.fabric)?;
-    let size = |placed: &PlacedPart| {
-        let star = star_case(spec, design.part(placed)).and_then(|case| flat(&case, weave));
-        star.map_or(0.0, |star| star.unknowns(fineness(detail)))
-    };
-    let unknowns: f64 = design.firsts().map(size).sum();
+    let cases = design.firsts().filter_map(|placed| star_case(spec, design.part(placed)).ok());
+    let flat_stars = cases.filter_map(|case| flat(&case, weave).ok());
+    let unknowns: f64 = flat_stars.map(|star| star.unknowns(fineness(detail))).sum();
     let count = design.firsts().count();
     let subject = match count {
         1 => "the shell of this star is large".to_owned(),

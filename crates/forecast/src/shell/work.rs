@@ -34,8 +34,8 @@ impl ShellWork {
             }
             return Ok(());
         }
-        let most = duration(most_seconds);
-        let problem = format!("{subject}: {size}; at most {most} are computed unasked");
+        let limit = duration(most_seconds);
+        let problem = format!("{subject}: {size}; at most {limit} are computed unasked");
         Err(PredictFault {
             code: RefusalCode::LargeShell,
             remedy: Some(remedy.to_owned()),
@@ -62,15 +62,18 @@ fn duration(seconds: f64) -> String {
 mod tests {
     use super::*;
 
+    fn begin(work: ShellWork, watch: &Watch<'_>) -> Result<(), PredictFault> {
+        work.begin(226.0, watch, ["the shell is large", "draw less"])
+    }
+
     #[test]
     fn only_a_large_computation_that_is_not_requested_is_refused() {
-        let large = ShellWork { unknowns: 113_400.0, seconds: 226.0 };
-        let bounded = Watch { is_bounded: true, ..Watch::default() };
-        let begin = |work: ShellWork, watch| work.begin(226.0, watch, ["the shell is large", "draw less"]);
-        assert_eq!(begin(large, &bounded), Ok(()));
-        let larger = ShellWork { seconds: 226.1, ..large };
-        assert_eq!(begin(larger, &Watch::default()), Ok(()));
-        let refusal = begin(larger, &bounded).expect_err("too large");
+        let accepted_work = ShellWork { unknowns: 113_400.0, seconds: 226.0 };
+        let bounded_watch = Watch { is_bounded: true, ..Watch::default() };
+        assert_eq!(begin(accepted_work, &bounded_watch), Ok(()));
+        let refused_work = ShellWork { seconds: 226.1, ..accepted_work };
+        assert_eq!(begin(refused_work, &Watch::default()), Ok(()));
+        let refusal = begin(refused_work, &bounded_watch).expect_err("too large");
         assert_eq!(refusal.code, RefusalCode::LargeShell);
         let size = "the shell is large: about 113000 unknowns and 4 min; at most 4 min are computed unasked";
         assert_eq!((refusal.what.as_str(), refusal.remedy.as_deref()), (size, Some("draw less")));
