@@ -9,7 +9,6 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use stargrip_cam::forecast::drawn::MOST_UNKNOWNS;
 use stargrip_cam::shell::cases::Watch;
 
 /// Interval of checks for signals: too short to notice, too long to cost time.
@@ -36,8 +35,7 @@ impl Line {
     /// Runs `work`, whose observer this is. A drawing of many unknowns is refused, unless it `is_asked` for.
     pub(crate) fn watched<T>(&self, is_asked: bool, work: impl FnOnce(&Watch<'_>) -> T) -> T {
         let tell = |part: f64, what: &str| self.tell(part, what);
-        let most_unknowns = (!is_asked).then_some(MOST_UNKNOWNS);
-        work(&Watch { progress: Some(&tell), cancel: Arc::clone(&self.cancel), most_unknowns })
+        work(&Watch { progress: Some(&tell), cancel: Arc::clone(&self.cancel), is_bounded: !is_asked })
     }
 
     /// None if the caller no longer waits.

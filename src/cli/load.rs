@@ -15,7 +15,7 @@ use crate::cli::words::count_beyond;
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Planned, Proven, Sources, no_programs, unfit_besides};
 use design::{RefusalCode, Refusals, Warning, drawing_notes};
-use forecast::drawn::{MOST_UNKNOWNS, Watch};
+use forecast::drawn::Watch;
 use proof::artifact::KindRequest;
 use proof::verify::Finding;
 use spec::{Fault, FaultCode, Faults, Machine, ProductKind, Reading, Source, key};
@@ -125,10 +125,9 @@ impl Loaded {
     /// refusals of the design are joined by the reasons why the gripper does not meet its own `[load]`.
     pub(super) fn forecast(&self, anyway: bool) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
-        let most_unknowns = (!anyway).then_some(MOST_UNKNOWNS);
         let forecast = progress::with_line(self.verbosity, "designing", |progress| {
             let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
-            let watch = Watch { progress: Some(&tell), most_unknowns, ..Watch::default() };
+            let watch = Watch { progress: Some(&tell), is_bounded: !anyway, ..Watch::default() };
             Planned::new(spec, machine)?.forecast(&watch)
         });
         let forecast = forecast.map_err(|mut refusals| {

@@ -45,7 +45,7 @@ pub(super) struct ObjectArgs {
     /// Largest radial force of one star that the object bears: "20 N".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = stated::<Force>(FORCES), requires = "object")]
     fragile: Option<Stated<Force>>,
-    /// A built-in machine profile's name; default: generic.
+    /// A built-in machine profile's name, or a file with your own; default: generic.
     #[arg(long, value_name = "NAME", requires = "object")]
     machine: Option<String>,
     /// Size of the fabric sheets: 400x400 in mm, or A4.

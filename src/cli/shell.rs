@@ -12,7 +12,6 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::pipeline::no_prediction;
 use design::{RefusalCode, Refusals};
-use forecast::drawn::MOST_UNKNOWNS;
 use forecast::pressures::pressure_finding;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
@@ -110,7 +109,6 @@ pub(super) fn watched_by<T>(
     let listening = Listening::new();
     progress::listening(verbosity, "the shell", |progress| {
         let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
-        let most_unknowns = (!is_asked).then_some(MOST_UNKNOWNS);
-        compute(&Watch { progress: Some(&tell), cancel: listening.flag(), most_unknowns })
+        compute(&Watch { progress: Some(&tell), cancel: listening.flag(), is_bounded: !is_asked })
     })
 }

@@ -231,6 +231,40 @@ fn what_no_shell_answers_is_refused_in_words() {
     assert_eq!(fine.status.code(), Some(2));
 }
 
+#[test]
+fn a_fabric_that_no_shell_describes_is_refused_at_its_key_with_its_values() {
+    let dir = folder();
+    let drawing = "schema = 1\nname = \"pillow\"\n[drawing]\nfile = \"pillow.svg\"\n[drawing.layers]\nair = [\"air\"]\n\
+                   port = [\"port\"]\n[fabric]\nareal_density = \"0.3 kg/m^2\"\n[load]\npressure = \"20 kPa\"\n";
+    fs::write(dir.path().join("pillow.svg"), islands(1)).expect("written");
+    // The star's tube is 30 mm wide, the widest circle of the pillow between its edge and the island 20 mm or so: t/W is 0.1 or more.
+    for (spec, fabric, key, values) in [
+        (SPEC, "poisson_ratio = 0.5", "poisson_ratio = 0.5", "a poisson_ratio from 0 to 0.499"),
+        (drawing, "poisson_ratio = 0.5", "poisson_ratio = 0.5", "a poisson_ratio from 0 to 0.499"),
+        (SPEC, "thickness = \"3 mm\"", "thickness = \"3 mm\"", "a thickness from 0.003 to 0.9 mm"),
+        (drawing, "thickness = \"3 mm\"", "thickness = \"3 mm\"", "a thickness from 0.00"),
+        // By Y and B of a sheet of 3 mm, 128 MPa and nu = 0.39: Y is 384 N/mm, and B 339.6 N mm.
+        (
+            SPEC,
+            "thickness = \"3 mm\"\nstretch_stiffness = \"384 N/mm\"",
+            "stretch_stiffness =",
+            "a stretch_stiffness from 4266.67 to ",
+        ),
+        (SPEC, "thickness = \"3 mm\"\nbending_stiffness = \"340 N mm\"", "bending_stiffness =", " to 30.5"),
+    ] {
+        let spec = spec.replace("[fabric]\n", &format!("[fabric]\n{fabric}\n"));
+        fs::write(dir.path().join("spec.toml"), spec).expect("written");
+        let refused = run(dir.path(), &[&["predict", "spec.toml"][..], &COARSE].concat());
+        let message = text(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(1), "{fabric}: {message}");
+        assert!(message.contains("[no-prediction]") && message.contains(values), "{fabric}: {message}");
+        assert!(
+            message.lines().any(|line| line.contains(" | ") && line.contains(key)),
+            "{fabric}: {message}"
+        );
+    }
+}
+
 /// A square pillow with `rows` times `rows` islands, 24 mm apart.
 fn islands(rows: u32) -> String {
     let side = 24 * rows + 24;
@@ -261,7 +295,7 @@ fn a_large_shell_is_refused_before_it_is_computed() {
         let refused = run(dir.path(), command);
         let message = text(&refused.stderr);
         assert_eq!(refused.status.code(), Some(1), "{command:?}: {message}");
-        for words in ["[large-shell]", "unknowns and ", "; at most 80000 are computed unasked", option] {
+        for words in ["[large-shell]", "unknowns and ", "; at most 2 min are computed unasked", option] {
             assert!(message.contains(words), "{command:?}: {message}");
         }
     }
@@ -269,6 +303,24 @@ fn a_large_shell_is_refused_before_it_is_computed() {
     // `auto` leaves the shell out, of any size.
     fs::write(dir.path().join("spec.toml"), spec.replace("\"shell\"", "\"auto\"")).expect("written");
     assert_eq!(run(dir.path(), &["check", "spec.toml"]).status.code(), Some(0));
+}
+
+#[test]
+fn many_different_stars_are_refused_before_they_are_computed() {
+    let dir = folder();
+    let stars: String = (2..=30)
+        .map(|index| format!("[[stack.star]]\nindex = {index}\ninner_radius = \"50.{index:02} mm\"\n"))
+        .collect();
+    let spec = format!("{SPEC}[stack]\ncount = 30\npitch = \"30 mm\"\n{stars}");
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let refused = run(dir.path(), &["predict", "spec.toml", "--model", "shell"]);
+    let message = text(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(1), "{message}");
+    for words in
+        ["[large-shell]", "30 different stars", "; at most 10 min are computed", "`--fineness coarse`"]
+    {
+        assert!(message.contains(words), "{message}");
+    }
 }
 
 #[test]

@@ -26,7 +26,7 @@ codes! {
         HoleClosed "hole-closed" "Band and hole-side flap close the hole; make them smaller or inner_radius larger.",
         InletMeetsArm "inlet-meets-arm" "The hose's channel is wider than the tip has room for; take a thinner hose or a wider tube.",
         JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller pieces at a time.",
-        LargeShell "large-shell" "The shell of the drawing takes long; ask for it as shown, draw fewer islands, or leave it out.",
+        LargeShell "large-shell" "The shell takes long; ask for it as shown, draw or stack less, or leave it out.",
         LayerWithoutRole "layer-without-role" "A layer of the drawing has no role; name it in one of the lists of `layers`, or in `ignore`.",
         LinesFallApart "lines-fall-apart" "A line beside the centre line of a seam falls apart; take a wider `tip`, or rounder corners.",
         LongExtent "long-extent" "With this extent the coating windows would meet or run past the arms; make it smaller.",

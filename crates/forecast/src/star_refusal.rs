@@ -5,7 +5,7 @@ use crate::pressures::{modelled, outside_section, pressures};
 use crate::star_answer::mm;
 use design::{RefusalCode, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, HingeRatio, StarFault};
-use spec::units::{BendingStiffness, Least, LineForce, Most};
+use spec::units::{Least, Most};
 use spec::{Fabric, KeyPath, Spec, key};
 use std::fmt;
 
@@ -79,10 +79,11 @@ fn beyond_range(fabric: &Fabric, case: &Case, fault: &StarFault) -> Option<(KeyP
     let width = case.mechanism.width;
     match *fault {
         StarFault::Hinge(HingeFault::Scale { ratio: HingeRatio::Poisson, least, most, .. }) => {
-            Some((key::fabric::POISSON_RATIO, format!("a poisson_ratio from {least} to {most}")))
+            Some((key::fabric::POISSON_RATIO, poisson_values([least, most])))
         }
         StarFault::Hinge(HingeFault::Scale { ratio: HingeRatio::Thickness, least, most, .. }) => {
-            let (key, of_fabric) = thickness_remedy(fabric, case, [least, most].map(|ratio| ratio * width));
+            let factors = [least, most].map(|ratio| ratio * width / case.sheet.thickness);
+            let (key, of_fabric) = thickness_values(fabric, factors);
             let [narrow, wide] = [most, least].map(|ratio| mm(case.sheet.thickness / ratio));
             let widths = format!("a tube_width from {} to {} mm", Least(narrow), Most(wide));
             Some((key, format!("{of_fabric}, or {widths}")))
@@ -96,25 +97,25 @@ fn beyond_range(fabric: &Fabric, case: &Case, fault: &StarFault) -> Option<(KeyP
     }
 }
 
-/// The key that sets the thickness of the even sheet of `fabric`, and its values for a thickness within `range`, m: a measured stiffness
-/// replaces thickness and modulus.
-fn thickness_remedy(fabric: &Fabric, case: &Case, range: [f64; 2]) -> (KeyPath, String) {
+/// The values of a Poisson's ratio from `lowest` to `highest`.
+pub(crate) fn poisson_values([lowest, highest]: [f64; 2]) -> String {
+    format!("a poisson_ratio from {lowest} to {highest}")
+}
+
+/// The key that sets the thickness of the even sheet of `fabric`, and its values for a thickness that is larger by these `factors`, from the
+/// least to the most: a measured stiffness replaces thickness and modulus.
+pub(crate) fn thickness_values(fabric: &Fabric, factors: [f64; 2]) -> (KeyPath, String) {
     // B = Y t^2 / [12 (1 - nu^2)].
-    let squares =
-        range.map(|thickness| thickness.powi(2) / (12.0 * (1.0 - case.sheet.poisson_ratio.powi(2))));
-    if fabric.bending_stiffness.is_some() {
-        let stretch = case.sheet.stretching_modulus();
-        let [lowest, highest] =
-            squares.map(|square| BendingStiffness::from_newton_metres(stretch * square).0);
+    if let Some(bending) = fabric.bending_stiffness {
+        let [lowest, highest] = factors.map(|factor| bending.0 * factor.powi(2));
         let values = format!("a bending_stiffness from {} to {} N mm", Least(lowest), Most(highest));
         (key::fabric::BENDING_STIFFNESS, values)
-    } else if fabric.stretch_stiffness.is_some() {
-        let bending = case.sheet.bending_modulus();
-        let [highest, lowest] = squares.map(|square| LineForce::from_newtons_per_metre(bending / square).0);
+    } else if let Some(stretch) = fabric.stretch_stiffness {
+        let [highest, lowest] = factors.map(|factor| stretch.0 / factor.powi(2));
         let values = format!("a stretch_stiffness from {} to {} N/mm", Least(lowest), Most(highest));
         (key::fabric::STRETCH_STIFFNESS, values)
     } else {
-        let [lowest, highest] = range.map(mm);
+        let [lowest, highest] = factors.map(|factor| fabric.thickness.0 * factor);
         (key::fabric::THICKNESS, format!("a thickness from {} to {} mm", Least(lowest), Most(highest)))
     }
 }

@@ -18,11 +18,12 @@ use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
 use crate::drawn::seams::SeamStrengths;
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
+use crate::shell::work::ShellWork;
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
-use design::{DrawnPiece, DrawnPieces, RefusalCode};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
-use spec::units::{Pressure, Readable};
+use design::{DrawnPiece, DrawnPieces};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, region};
+use spec::units::Pressure;
 use spec::{Load, ModelChoice, Spec, key};
 
 pub use inflatable::shell::cases::{Surface, Watch};
@@ -96,7 +97,7 @@ pub fn inflate(
         let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
         let inflated = watch
             .run_part(ends, |watch| region(&case, chamber.fineness(detail), watch))
-            .map_err(|why| not_inflated(&why, answer, count))?;
+            .map_err(|why| not_inflated(&why, spec, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
         answer.fill(&inflated, pieces, *highest, &strengths);
         answer.scale_burst(pressure.0 / highest.0);
@@ -129,8 +130,8 @@ pub fn inflate(
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
-/// The most unknowns that a command computes unasked: two minutes, six times as many as those of a usual drawing on coarse meshes.
-pub const MOST_UNKNOWNS: f64 = 80_000.0;
+/// The longest time of a drawing that a command computes unasked, s: six times as many unknowns as a usual drawing has on coarse meshes.
+const MOST_SECONDS: f64 = 120.0;
 
 /// Time for three meshes of which the finest has this many unknowns, s, on one processor of 2024. Measured on the shipped drawings on coarse
 /// meshes, from flat and from above; meshes without an equilibrium, which are tried again with other edges, take several times as long.
@@ -138,42 +139,19 @@ fn seconds(unknowns: f64) -> f64 {
     330.0 * libm::pow(unknowns / 140_000.0, 1.8)
 }
 
-/// Tells `watch` the size of the computation before it begins, or refuses one that is larger than it accepts.
+/// Tells `watch` the size of the computation before it begins, or refuses a large one.
 fn refuse_large(regions: &[DrawnChamber], detail: Detail, watch: &Watch<'_>) -> Result<(), PredictFault> {
+    // Each chamber has meshes of its own.
     let sizes = regions.iter().map(|chamber| chamber.region.unknowns(chamber.fineness(detail)));
-    let unknowns: f64 = sizes.sum();
-    let size = format!("about {} unknowns and {}", thousands(unknowns), duration(seconds(unknowns)));
-    let limit = watch.most_unknowns.unwrap_or(f64::INFINITY);
-    if unknowns <= limit {
-        if let Some(progress) = watch.progress {
-            progress(0.0, &size);
-        }
-        return Ok(());
-    }
-    let problem = format!(
-        "the shell of this drawing is large: {size}; at most {} are computed unasked",
-        thousands(limit)
-    );
-    let remedy = "draw fewer islands; `model = \"auto\"` leaves the shell out";
-    Err(PredictFault {
-        code: RefusalCode::LargeShell,
-        remedy: Some(remedy.to_owned()),
-        ..PredictFault::new(key::accuracy::MODEL, problem)
-    })
-}
-
-/// A number of unknowns, rounded to thousands.
-fn thousands(unknowns: f64) -> Readable {
-    Readable(1e3 * (unknowns / 1e3).round())
-}
-
-/// `seconds` in words: "40 s", "7 min", "3 h".
-fn duration(seconds: f64) -> String {
-    match seconds {
-        ..90.0 => format!("{:.0} s", seconds.max(1.0)),
-        ..5400.0 => format!("{:.0} min", seconds / 60.0),
-        _ => format!("{:.0} h", seconds / 3600.0),
-    }
+    let work = sizes.fold(ShellWork::default(), |work, unknowns| ShellWork {
+        unknowns: work.unknowns + unknowns,
+        seconds: work.seconds + seconds(unknowns),
+    });
+    let words = [
+        "the shell of this drawing is large",
+        "draw fewer islands or pieces; `model = \"auto\"` leaves the shell out",
+    ];
+    work.begin(MOST_SECONDS, watch, words)
 }
 
 /// The load of `spec` and its pressure; `None` without a pressure.
@@ -236,15 +214,12 @@ fn flat(spec: &Spec, pieces: &DrawnPieces, case: &DrawnCase) -> DrawnPrediction 
 }
 
 /// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.
-fn not_inflated(fault: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
+fn not_inflated(fault: &ShellFault, spec: &Spec, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
     let [x, y] = chamber.at_mm;
     let subject = if count == 1 {
         String::new()
     } else {
         format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
     };
-    refused(fault, &subject, |fault| match fault {
-        ShellFault::Range { name: Input::Slenderness, .. } => key::fabric::THICKNESS,
-        _ => key::drawing::FILE,
-    })
+    refused(fault, &subject, &spec.fabric, |_| key::drawing::FILE)
 }

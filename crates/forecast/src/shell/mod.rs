@@ -3,12 +3,13 @@
 //!
 //! [`request`] converts a star to the shell's inputs and its results to numbers with mesh errors, [`star`]
 //! computes a spec's stars, [`actuator`] a single hinge between two arms; [`result`] formats the prediction of
-//! stars.
+//! stars; `work` bounds the time that a computation takes.
 
 pub mod actuator;
 pub mod request;
 pub mod result;
 pub mod star;
+pub(crate) mod work;
 
 use crate::case::Case;
 use inflatable::mechanics::strength::ElasticSheet;

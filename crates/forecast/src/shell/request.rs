@@ -1,16 +1,17 @@
 //! One star as a shell: the question that its case puts, and the numbers of the answer in the units of predictions.
 
-use crate::case::Case;
+use crate::case::{Case, weave};
 use crate::interval::Interval;
 use crate::predict::PredictFault;
 use crate::pressures::pressure_finding;
 use crate::shell::{Detail, MOST_POINTS, SHELL, fineness, flat_star};
+use crate::star_refusal::{poisson_values, thickness_values};
 use inflatable::shell::cases::{
     Extremes, FlatStar, Hysteresis, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Value, Watch,
     star,
 };
 use inflatable::shell::element::Weave;
-use spec::{KeyPath, key};
+use spec::{Fabric, KeyPath, key};
 
 /// Reason why a shell gives no answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,18 +104,26 @@ fn askew(points: u32) -> PredictFault {
     PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, problem) }
 }
 
-/// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
+/// The weave of `fabric`, as the shell's input.
+///
+/// # Errors
+/// If its values have none.
+pub(crate) fn fabric_weave(fabric: &Fabric) -> Result<Weave, ShellRefusal> {
+    weave(fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))
+}
+
+/// Inflates the star of `case`, made of `fabric`, then presses it against its object and round ones of `radii` (m).
 ///
 /// # Errors
 /// If the shell refuses, finds no equilibrium, or is cancelled.
 pub(crate) fn ask(
     case: &Case,
-    weave: Weave,
+    fabric: &Fabric,
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
-    let flat_star = flat(case, weave)?;
+    let flat_star = flat(case, fabric_weave(fabric)?)?;
     let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
     objects.sort_by(f64::total_cmp);
@@ -130,7 +139,7 @@ pub(crate) fn ask(
         _ => key::star::TIP_ANGLE,
     };
     let shell_star = star(&flat_star, Objects::Radii(&objects), fineness(detail), watch)
-        .map_err(|why| refused(&why, "", of_shape))?;
+        .map_err(|why| refused(&why, "", fabric, of_shape))?;
     let measured = Measurements::new(case, object, &shell_star);
     Ok((flat_star, shell_star, measured))
 }
@@ -140,30 +149,41 @@ pub(crate) fn entered(case: &Case) -> Option<f64> {
     case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
 }
 
-/// Why the shell refuses `subject`, with the key that is best changed; `of_shape` gives it where that depends on the product.
+/// Why the shell refuses `subject`, made of `fabric`, with the key that is best changed; `of_shape` gives it where that depends on the product.
 pub(crate) fn refused(
     shell_fault: &ShellFault,
     subject: &str,
+    fabric: &Fabric,
     of_shape: impl Fn(&ShellFault) -> KeyPath,
 ) -> ShellRefusal {
+    // A ratio of the fabric has values that its key may have, and a pressure has a range: both are the remedy. Of the other faults only the
+    // key is known.
+    let message = format!("{subject}{shell_fault}");
     let key = match shell_fault {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
         ShellFault::Pressure { found, least, most } => {
             let fault = out_of_range(*found, [*least, *most]);
             return ShellRefusal::Fault(PredictFault { what: format!("{subject}{}", fault.what), ..fault });
         }
-        ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
+        ShellFault::Range { name: Input::Poisson, least, most, .. } => {
+            let remedy = Some(poisson_values([*least, *most]));
+            return PredictFault { remedy, ..PredictFault::new(key::fabric::POISSON_RATIO, message) }.into();
+        }
+        ShellFault::Range { name: Input::Slenderness, found: ratio, least, most } => {
+            let (key, values) = thickness_values(fabric, [least / ratio, most / ratio]);
+            return PredictFault { remedy: Some(values), ..PredictFault::new(key, message) }.into();
+        }
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
         ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
         ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
             key::load::PRESSURE
         }
-        ShellFault::Range { name: Input::Slenderness | Input::Width | Input::Arms, .. }
+        ShellFault::Range { name: Input::Width | Input::Arms, .. }
         | ShellFault::Mesh(_)
         | ShellFault::TooLarge { .. }
         | ShellFault::TooMany { .. } => of_shape(shell_fault),
     };
-    fault(key, format!("{subject}{shell_fault}"))
+    fault(key, message)
 }
 
 impl Measurements {

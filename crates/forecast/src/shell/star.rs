@@ -1,17 +1,18 @@
 //! A spec's stars as shells: the keys of all predictions and those of shells, without those of hinge
 //! models.
 
-use crate::case::{Case, weave};
+use crate::case::Case;
 use crate::folding::until_arms_fold;
 use crate::meshed::MeshedPlace;
 use crate::predict::{PredictFault, assembled_prediction, stars_of};
 use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction};
 use crate::ranges::shown::meshed;
-use crate::shell::request::{Measurements, ask, entered, fault};
-use crate::shell::{Detail, SHELL};
+use crate::shell::request::{Measurements, ask, entered, fabric_weave, fault};
+use crate::shell::work::ShellWork;
+use crate::shell::{Detail, SHELL, fineness};
 use crate::star_answer::{mm, without_model};
 use crate::warning::PredictionWarning;
-use design::{Design, PlacedPart, StarDesign};
+use design::{Design, PlacedPart, StarAssembly, StarDesign};
 use geom::order::sort_by;
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
@@ -42,6 +43,7 @@ pub fn predict(
     let design = stars_of(design)?;
     // One of each star, or none without an object.
     let meetings = design.meetings(spec).unwrap_or_default();
+    begin(spec, design, detail, watch)?;
     let mut runs = Vec::new();
     for placed in design.firsts() {
         let run = star_case(spec, design.part(placed)).and_then(|case| {
@@ -62,6 +64,29 @@ pub fn predict(
     let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
     let shape = runs.into_iter().next().map(|run| run.inflated.shape).unwrap_or_default();
     Ok((assembled_prediction(spec, design, stars)?, shape))
+}
+
+/// The longest time of a stack that a command computes unasked, s: a dozen different stars on medium meshes.
+const MOST_SECONDS: f64 = 600.0;
+
+/// Time of a star by the unknowns of its finest mesh, s, on one processor of 2024: 47 s for 81,000, and 63 s for 182,000
+/// (docs/trade.md). Each further object takes longer.
+const SECONDS_OF_UNKNOWN: f64 = 6e-4;
+
+/// Tells `watch` the size of the computation before it begins, or refuses that of many different stars.
+fn begin(spec: &Spec, design: &StarAssembly, detail: Detail, watch: &Watch<'_>) -> Result<(), ShellRefusal> {
+    let weave = fabric_weave(&spec.fabric)?;
+    let cases = design.firsts().filter_map(|placed| star_case(spec, design.part(placed)).ok());
+    let flat_stars = cases.filter_map(|case| flat(&case, weave).ok());
+    let unknowns: f64 = flat_stars.map(|star| star.unknowns(fineness(detail))).sum();
+    let count = design.firsts().count();
+    let subject = match count {
+        1 => "the shell of this star is large".to_owned(),
+        _ => format!("the shells of {count} different stars are large"),
+    };
+    let words = [subject.as_str(), "coarser meshes or fewer different stars take less"];
+    let work = ShellWork { unknowns, seconds: SECONDS_OF_UNKNOWN * unknowns };
+    Ok(work.begin(MOST_SECONDS, watch, words)?)
 }
 
 impl ShellRefusal {
@@ -94,10 +119,8 @@ impl ShellRun {
         detail: Detail,
         watch: &Watch<'_>,
     ) -> Result<Self, ShellRefusal> {
-        let fabric_weave =
-            weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
         let empty = Case { object: None, ..*case };
-        let (flat, inflated, measured) = ask(&empty, fabric_weave, objects, detail, watch)?;
+        let (flat, inflated, measured) = ask(&empty, &spec.fabric, objects, detail, watch)?;
         Ok(Self { case: *case, flat, inflated, measured })
     }
 

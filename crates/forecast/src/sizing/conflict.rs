@@ -304,7 +304,12 @@ impl Requirement {
                 let presses = eased.and_then(Requirements::force_in_words);
                 let presses = presses.map_or_else(
                     || "a star may press harder".to_owned(),
-                    |force| format!("the gentlest star is for an object that bears {force}"),
+                    |force| {
+                        let mass = required.mass_in_words();
+                        format!(
+                            "the gentlest star that can safely carry {mass} is for an object that bears {force}"
+                        )
+                    },
                 );
                 format!("{presses}: this one bears {bears}")
             }

@@ -4,7 +4,6 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use crate::candidate::{Answer, Candidate, RefusedDesign};
-use crate::case::weave;
 use crate::model_selection::hinge_model;
 use crate::outcome::Outcome;
 use crate::shell::Detail;
@@ -46,7 +45,7 @@ impl Models {
                 // The values that need no model.
                 let answer = point.answer_by(&self.ring, |_| Ok(None))?;
                 let watch = Watch { cancel: Arc::clone(cancel), ..Watch::default() };
-                match ask(&answer.case, weave(&point.fabric)?, &[], detail, &watch) {
+                match ask(&answer.case, &point.fabric, &[], detail, &watch) {
                     Ok((_, _, shell)) => Ok(Some((answer, Some(Box::new(shell))))),
                     Err(ShellRefusal::Cancelled) => Ok(None),
                     Err(ShellRefusal::Fault(fault)) => Err(RefusedDesign::unpredicted(fault.to_string())),

@@ -69,6 +69,19 @@ impl Default for Fineness {
     }
 }
 
+/// Three unknowns of each point and one of each edge, by triangle.
+pub(super) const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
+
+impl Fineness {
+    /// About how many unknowns the finest mesh has whose coarsest is `coarsest`.
+    pub(super) fn unknowns(self, coarsest: &Mesh) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+        let triangles = coarsest.triangles.len() as f64;
+        // Each cut makes four triangles of one.
+        UNKNOWNS_OF_TRIANGLE * triangles * (0..self.cuts).fold(1.0, |times, _| 4.0 * times)
+    }
+}
+
 /// Arms must leave a line to fit between one W behind the hinge and one W before the end.
 const SHORTEST_ARM: f64 = 2.5;
 /// Length of arms beyond which meshes get large and the result does not change.

@@ -20,8 +20,8 @@ pub struct Watch<'a> {
     pub progress: Option<OnProgress<'a>>,
     /// Raised by another thread to end at the next Newton step.
     pub cancel: Arc<AtomicBool>,
-    /// The most unknowns of a finest mesh that are computed; `None` for any number. Callers compare, before they begin.
-    pub most_unknowns: Option<f64>,
+    /// Whether a large computation is refused. Callers compare its size with their limit before they begin.
+    pub is_bounded: bool,
 }
 
 impl Watch<'_> {

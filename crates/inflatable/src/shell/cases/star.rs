@@ -186,6 +186,13 @@ impl FlatStar {
         weave.is_mirrored_at(0.0) && weave.is_mirrored_at(half_angle)
     }
 
+    /// About how many unknowns the finest mesh of `fineness` has; 0 where the star has no mesh.
+    pub fn unknowns(&self, fineness: Fineness) -> f64 {
+        let sizes = Sizes::for_tube(1.0, fineness.cells);
+        let meshed = self.modelled().ok().and_then(|modelled| modelled.meshed(&sizes).ok());
+        meshed.map_or(0.0, |meshed| fineness.unknowns(&meshed.mesh))
+    }
+
     /// Half a sector, scaled.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! One chamber, inflated on a family of meshes.
 
 use crate::shell::assembly::{Sheet, State};
-use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::actuator::{Fineness, UNKNOWNS_OF_TRIANGLE};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Family, LoadPath, Watch};
 use crate::shell::cases::region::answer::{FamilyResults, InflatedRegion, Wrinkles};
@@ -23,11 +23,7 @@ impl FlatRegion {
     /// About how many unknowns the finest mesh of `fineness` has; 0 where the chamber has no mesh.
     pub fn unknowns(&self, fineness: Fineness) -> f64 {
         let chamber = self.chamber.in_units(self.chamber.widest());
-        let Ok((meshed, _)) = chamber.mesh(fineness.cells) else { return 0.0 };
-        #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
-        let triangles = meshed.mesh.triangles.len() as f64;
-        // Each cut makes four triangles of one.
-        UNKNOWNS_OF_TRIANGLE * triangles * (0..fineness.cuts).fold(1.0, |times, _| 4.0 * times)
+        chamber.mesh(fineness.cells).map_or(0.0, |(meshed, _)| fineness.unknowns(&meshed.mesh))
     }
 
     /// Coarse meshes: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, if that leaves one edge across the
@@ -41,8 +37,7 @@ impl FlatRegion {
         let mut best = (f64::INFINITY, cells);
         for _ in 0..LOOKS {
             let Ok((meshed, _)) = chamber.mesh(cells) else { break };
-            #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
-            let unknowns = UNKNOWNS_OF_TRIANGLE * meshed.mesh.triangles.len() as f64;
+            let unknowns = Fineness { cells, cuts: 0 }.unknowns(&meshed.mesh);
             if unknowns < best.0 {
                 best = (unknowns, cells);
             }
@@ -55,8 +50,6 @@ impl FlatRegion {
     }
 }
 
-/// Three unknowns of each point and one of each edge, by triangle.
-const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
 /// Unknowns of a quick look's coarsest mesh, triangles of a square of the chamber's width with one edge across, and the most edges across.
 const QUICK: f64 = 800.0;
 const TRIANGLES_OF_SQUARE: f64 = 4.2;
