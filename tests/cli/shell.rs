@@ -308,9 +308,10 @@ fn a_large_shell_is_refused_before_it_is_computed() {
 #[test]
 fn many_different_stars_are_refused_before_they_are_computed() {
     let dir = folder();
-    let stars: String = (2..=30)
+    let stars: Vec<String> = (2..=30)
         .map(|index| format!("[[stack.star]]\nindex = {index}\ninner_radius = \"50.{index:02} mm\"\n"))
         .collect();
+    let stars = stars.concat();
     let spec = format!("{SPEC}[stack]\ncount = 30\npitch = \"30 mm\"\n{stars}");
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
     let refused = run(dir.path(), &["predict", "spec.toml", "--model", "shell"]);

@@ -624,17 +624,19 @@ fn welds_that_cross_are_split_there() {
     }
 }
 
+/// A side that departs from its chord by `arrow` mm.
+fn bulging_side(start: Point, end: Point, arrow: f64) -> Segment {
+    let arc = Arc::from_bulge(start, end, 2.0 * arrow / start.distance(end));
+    arc.map_or_else(|| Line::new(start, end).into(), Segment::from)
+}
+
 /// The long sides of an island bulge by the rounding of a drawing, as curves of few digits do: the fabric between them is too narrow all
 /// the same.
 #[test]
 fn bulging_sides_face_each_other() {
     for arrow in [-0.004, 0.0, 0.004] {
-        let side = |from: Point, to: Point| {
-            let arc = Arc::from_bulge(from, to, 2.0 * arrow / from.distance(to));
-            arc.map_or_else(|| Line::new(from, to).into(), Segment::from)
-        };
         let corners = [p(40.0, 20.0), p(60.0, 20.0), p(60.0, 22.4), p(40.0, 22.4)];
-        let sides = (0..4).map(|k| side(corners[k], corners[(k + 1) % 4])).collect();
+        let sides = (0..4).map(|k| bulging_side(corners[k], corners[(k + 1) % 4], arrow)).collect();
         let air = vec![("r", rectangle(0.0, 0.0, 100.0, 60.0)), ("i", Path::closed(sides))];
         let faults = refused(&sketch(air, vec![port(0.0, 30.0)]));
         assert!(faults.iter().any(|fault| fault.code == ShapeCode::BandsOverlap), "{arrow}: {faults:#?}");

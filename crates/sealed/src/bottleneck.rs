@@ -287,25 +287,30 @@ fn on_arc(arc: &Arc, way: Vec2) -> Option<Point> {
 /// A side of curves that a drawing rounds bulges by a few micrometres, inwards or outwards. Where sides that bulge face each other nowhere at
 /// a right angle, their chords may.
 fn inner_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
-    let mut is_seen = false;
-    let mut note = |p, q| {
-        is_seen = true;
+    let mut count = 0;
+    exact_pairs(a, b, &mut |p, q| {
+        count += 1;
         see(p, q);
-    };
-    match (a, b) {
-        (Segment::Line(p), Segment::Line(q)) => line_line(p, q, &mut note),
-        (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, &mut note),
-        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| note(q, p)),
-        (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, &mut note),
+    });
+    if count > 0 || (arc_of(a).is_none() && arc_of(b).is_none()) {
+        return;
     }
-    if !is_seen && (arc_of(a).is_some() || arc_of(b).is_some()) {
-        let [p, q] = [a, b].map(|segment| Line::new(segment.start(), segment.end()));
-        let largest_arrow = arrow(a).max(arrow(b));
-        line_line(&p, &q, &mut |p, q| {
-            if largest_arrow <= (ROUNDED / 2.0).min(BULGE * p.distance(q)) {
-                see(p, q);
-            }
-        });
+    let largest_arrow = arrow(a).max(arrow(b));
+    let [p, q] = [a, b].map(|segment| Line::new(segment.start(), segment.end()));
+    line_line(&p, &q, &mut |p, q| {
+        if largest_arrow <= (ROUNDED / 2.0).min(BULGE * p.distance(q)) {
+            see(p, q);
+        }
+    });
+}
+
+/// The pairs inside both segments at right angles to both.
+fn exact_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
+    match (a, b) {
+        (Segment::Line(p), Segment::Line(q)) => line_line(p, q, see),
+        (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, see),
+        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| see(q, p)),
+        (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, see),
     }
 }
 

@@ -133,8 +133,8 @@ fn mouths(shape: &SealedShape, free: &[SeamEnd]) -> Vec<MouthEnds> {
 /// unless such a band goes over them.
 pub(super) fn is_under_another(shape: &SealedShape, seam: usize, p: Point) -> bool {
     let reach = shape.band / 2.0 + SLACK;
-    let mut others = shape.seams.iter().enumerate().filter(|(number, _)| *number != seam);
-    others.any(|(_, other)| other.center_line.distance(p) <= reach)
+    let mut seams = shape.seams.iter().enumerate();
+    seams.any(|(number, other)| number != seam && other.center_line.distance(p) <= reach)
 }
 
 /// The crossings of seams, except where one ends on the other: their places by pairs of seams, the same twice for one with itself.

@@ -93,6 +93,18 @@ impl SealedShape {
 
     /// The leaks, seam by seam, then port by port.
     fn leaks(&self, joints: &Joints) -> Vec<Leak> {
+        let mut leaks = self.leaks_of_seams(joints);
+        for (i, port) in self.ports.iter().enumerate() {
+            match joints.width(self, i) {
+                None => leaks.push(Leak::SealedPort(i)),
+                Some(width) if width < port.width - NARROWER => leaks.push(Leak::NarrowPort(i, width)),
+                Some(_) => {}
+            }
+        }
+        leaks
+    }
+
+    fn leaks_of_seams(&self, joints: &Joints) -> Vec<Leak> {
         let crossings = meetings(self, joints);
         let mut leaks = Vec::new();
         for (i, seam) in self.seams.iter().enumerate() {
@@ -112,13 +124,6 @@ impl SealedShape {
                 } else if !joints.is_shut(i, 1) {
                     leaks.push(Leak::Open(i, [end, start]));
                 }
-            }
-        }
-        for (i, port) in self.ports.iter().enumerate() {
-            match joints.width(self, i) {
-                None => leaks.push(Leak::SealedPort(i)),
-                Some(width) if width < port.width - NARROWER => leaks.push(Leak::NarrowPort(i, width)),
-                Some(_) => {}
             }
         }
         leaks

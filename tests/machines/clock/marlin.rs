@@ -199,16 +199,18 @@ impl Marlin {
         track.moved(1.0 / block.steps, 1.0 / initial);
         while count < block.steps {
             let rate = if count < up {
-                peak = match self.s_curve {
-                    true => bezier(initial, cruise, a, speeding),
-                    false => (initial + (a * speeding).floor()).min(nominal),
+                peak = if self.s_curve {
+                    bezier(initial, cruise, a, speeding)
+                } else {
+                    (initial + (a * speeding).floor()).min(nominal)
                 };
                 speeding += 1.0 / peak;
                 peak
             } else if count >= block.steps - down {
-                let rate = match self.s_curve {
-                    true => bezier(cruise, last, a, braking),
-                    false => (peak - (a * braking).floor()).max(last),
+                let rate = if self.s_curve {
+                    bezier(cruise, last, a, braking)
+                } else {
+                    (peak - (a * braking).floor()).max(last)
                 };
                 braking += 1.0 / rate;
                 rate
@@ -245,15 +247,17 @@ impl Marlin {
             count += 1.0;
             track.moved(count / block.steps, interval);
             let step_rate = if count <= up {
-                peak = match self.s_curve {
-                    true => bezier(initial, cruise, a, speeding),
-                    false => (initial + (a * speeding).floor()).min(nominal),
+                peak = if self.s_curve {
+                    bezier(initial, cruise, a, speeding)
+                } else {
+                    (initial + (a * speeding).floor()).min(nominal)
                 };
                 peak
             } else if count > decelerate_after {
-                match self.s_curve {
-                    true => bezier(cruise, last, a, braking),
-                    false => (peak - (a * braking).floor()).max(last),
+                if self.s_curve {
+                    bezier(cruise, last, a, braking)
+                } else {
+                    (peak - (a * braking).floor()).max(last)
                 }
             } else {
                 nominal
