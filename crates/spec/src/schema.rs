@@ -91,8 +91,8 @@ acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # start_delay = "0 s"
 # first_step_rate = "none"
 # min_move_steps = 0
-# z_speed = "5 mm/s"  # largest speed of Z (M203 Z, $112), where it is below that of X and Y
-# z_acceleration = "100 mm/s^2"  # acceleration of Z (M201 Z, $122), where it is below that of X and Y
+z_speed = "5 mm/s"  # largest speed of Z (M203 Z, $112), where it is below that of X and Y
+z_acceleration = "100 mm/s^2"  # acceleration of Z (M201 Z, $122), where it is below that of X and Y
 # s_curve = false  # whether speeds follow an S (Marlin: S_CURVE_ACCELERATION)
 [dwell]
 # unit = "s"  # of G4's P; of the dialects marlin, klipper, reprapfirmware and bambu it is "ms", and no other is taken
