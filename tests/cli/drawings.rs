@@ -34,7 +34,9 @@ fn new_takes_a_unit() {
     );
     assert!(said.contains("\"off\" is hidden in the drawing and not read"), "{said}");
     assert!(fs::read_to_string(dir.join("a.toml")).expect("a spec").contains("\nunits = \"cm\"\n"));
-    let _ = run(dir, &["new", "d", "--drawing", "d.svg"]);
+    let sized = NOTCH.replace("\"160\"", "\"160mm\"").replace("\"100\"", "\"100mm\"");
+    fs::write(dir.join("sized.svg"), sized).expect("written");
+    let _ = run(dir, &["new", "d", "--drawing", "sized.svg"]);
     assert!(fs::read_to_string(dir.join("d.toml")).expect("a spec").contains("\n## units = \"mm\" "));
     let output = run(dir, &["new", "b", "--drawing", "d.svg", "--units", "furlong"]);
     assert!(stderr(&output).contains("units are um, mm, cm"), "{}", stderr(&output));
