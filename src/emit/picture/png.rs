@@ -13,8 +13,8 @@ use program::number::single;
 
 /// A colour of 8 bits at its full strength.
 const WHITE: u8 = 0xff;
-/// Pixels that are passed over together where nothing covers them.
-const GROUP: usize = 32;
+/// Pixels that are passed over together where nothing covers them: as many as have their coverage in one number.
+const GROUP: usize = 16;
 
 impl Picture {
     /// The picture as a PNG with this number of pixels along its longer side; `None` if it has no extent.
@@ -95,17 +95,18 @@ impl Canvas {
         if columns.is_empty() || rows.is_empty() {
             return;
         }
+        let pitch = columns.len().next_multiple_of(GROUP);
         self.coverage.clear();
-        self.coverage.resize(columns.len() * rows.len(), 0);
+        self.coverage.resize(pitch * rows.len(), 0);
         let corner = [columns.start, rows.start].map(|pixel| single(f64::from(pixel)));
         let _placement = Mask::with_scratch(outline, &mut self.scratch)
             .style(style)
             .size(columns.end - columns.start, rows.end - rows.start)
             .offset(corner.map(|pixel| -pixel))
-            .render_into(&mut self.coverage, None);
-        for (row, coverage) in rows.zip(self.coverage.chunks_exact(columns.len())) {
+            .render_into(&mut self.coverage, Some(pitch));
+        for (row, coverage) in rows.zip(self.coverage.chunks_exact(pitch)) {
             let start = 3 * (row * self.size[0] + columns.start) as usize;
-            blend(&mut self.colors[start..start + 3 * coverage.len()], coverage, [red, green, blue]);
+            blend(&mut self.colors[start..start + 3 * columns.len()], coverage, [red, green, blue]);
         }
     }
 
@@ -156,13 +157,16 @@ impl Canvas {
 
 /// Colours the pixels of a row by how far they are covered. Most of a large box is not: such pixels are passed over in groups.
 fn blend(pixels: &mut [u8], coverage: &[u8], ink: [u8; 3]) {
-    for (pixels, coverage) in pixels.chunks_mut(3 * GROUP).zip(coverage.chunks(GROUP)) {
-        if coverage.iter().fold(0, |all, part| all | part) == 0 {
+    let (groups, _) = coverage.as_chunks::<GROUP>();
+    for (pixels, group) in pixels.chunks_mut(3 * GROUP).zip(groups) {
+        if u128::from_ne_bytes(*group) == 0 {
             continue;
         }
-        for (pixel, part) in pixels.chunks_exact_mut(3).zip(coverage) {
-            for (color, ink) in pixel.iter_mut().zip(ink) {
-                *color = mixed(*color, ink, *part);
+        for (pixel, part) in pixels.chunks_exact_mut(3).zip(group) {
+            match *part {
+                0 => {}
+                u8::MAX => pixel.copy_from_slice(&ink),
+                part => pixel.iter_mut().zip(ink).for_each(|(color, ink)| *color = mixed(*color, ink, part)),
             }
         }
     }
