@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Command;
 
+use crate::cli::package_file::package_path;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::value_of;
 use crate::cli::{actuator, align, coupon, feedcheck, new_object, optimize, predict, resume, verify};
@@ -119,7 +120,7 @@ pub fn coupons(loaded: &Loaded, options: &[String]) -> Result<ProvenCoupons, Fai
 pub fn feed_check(loaded: &Loaded) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let program = feedcheck::default_output(&loaded.machine);
     let proven = feedcheck::feed_check(loaded, &program.to_string_lossy())?;
-    let paths = [program.clone(), feedcheck::package_path(&program), feedcheck::manifest_path(&program)];
+    let paths = [program.clone(), package_path(&program), feedcheck::manifest_path(&program)];
     let [program, package, manifest] = paths.map(|path| path.to_string_lossy().into_owned());
     let packed = proven.package.map(|bytes| (package, bytes));
     let files = std::iter::once((program, proven.text.into_bytes())).chain(packed);

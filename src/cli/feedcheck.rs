@@ -9,9 +9,9 @@ use crate::answer::quantity::quantity;
 use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
+use crate::cli::package_file::PackageFile;
 use crate::cli::text_file::{refuse_foreign, replace, write_new};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::write_whole;
 use crate::emit;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
@@ -54,8 +54,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let proven = feed_check(&loaded, &name)?;
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
-    let package = proven.package.as_ref().map(|_| package_path(&output));
-    if !args.force && (output.exists() || package.as_ref().is_some_and(|package| package.exists())) {
+    let package = proven.package.as_ref().map(|bytes| PackageFile::new(&output, bytes));
+    if !args.force && (output.exists() || package.as_ref().is_some_and(|package| package.path.exists())) {
         let remedy = "--force replaces it, -o FILE writes another";
         let message = format!("{} exists already, from an earlier run: {remedy}", escaped_line(&output));
         return Err(Failure::Message(message));
@@ -67,12 +67,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     outcome.inspect_err(|_| {
         let _ = fs::remove_file(&manifest);
     })?;
-    if let (Some(path), Some(bytes)) = (&package, &proven.package) {
-        write_whole(path, bytes).map_err(|error| Failure::file("write", path, &error))?;
-    }
-    let packed = package.as_ref().map_or_else(String::new, |path| {
-        format!(" and in a package {}", escaped_line(path.file_name().unwrap_or_default()))
-    });
+    package.as_ref().map_or(Ok(()), PackageFile::write)?;
+    let packed = package.as_ref().map_or_else(String::new, PackageFile::in_words);
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let command = format!("stargrip-cam feedcheck {} --took", argument(&args.spec));
     let (length, example) = (plan::CHECK_LENGTH, 0.96 * seconds);
@@ -92,7 +88,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let json = json!({
         "wrote": output.to_string_lossy(),
         "manifest": manifest.to_string_lossy(),
-        "package": package.map(|path| path.to_string_lossy().into_owned()),
+        "package": package.map(|package| package.path.to_string_lossy().into_owned()),
         "line_mm": length,
         "line_time_s": seconds,
         "ways": if machine.controller.arcs { 5 } else { 3 },
@@ -204,13 +200,6 @@ pub(super) fn feed_check(loaded: &Loaded, name: &str) -> Result<ProvenFeedCheck,
         FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
         FeedCheckFault::Wrong(findings) => loaded.unproven(findings),
     })
-}
-
-/// The package beside the program `program`.
-pub(super) fn package_path(program: &Path) -> PathBuf {
-    let mut name = program.file_name().unwrap_or_default().to_owned();
-    name.push(PACKAGE_ENDING);
-    program.with_file_name(name)
 }
 
 /// The manifest beside the feed check `program`, or its package, from which `verify` proves it.

@@ -33,6 +33,7 @@ mod new_object;
 mod open;
 mod optimize;
 mod overview;
+mod package_file;
 mod predict;
 mod progress;
 mod publish;

@@ -8,12 +8,12 @@ use crate::answer::hours;
 use crate::cli::align::aligned;
 use crate::cli::escape::escaped_line;
 use crate::cli::failure::Failure;
-use crate::cli::feedcheck::package_path;
 use crate::cli::load::MACHINE;
+use crate::cli::package_file::PackageFile;
 use crate::cli::source_file::read_source;
 use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::{directory_of, write_whole};
+use crate::cli::whole_file::directory_of;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::pipeline::{PACKAGE_ENDING, read_mark};
 use crate::resume::{ResumeAt, ResumeFault, Resumed, clamp_in_the_way, resume};
@@ -139,17 +139,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let target = args.output.clone().unwrap_or_else(|| default_target(&args.job, has_manifest));
     refuse_published(&target)?;
-    let package = resumed.package.as_ref().map(|bytes| (package_path(&target), bytes));
-    if let Some((path, _)) = package.as_ref().filter(|(path, _)| path.symlink_metadata().is_ok()) {
+    let package = resumed.package.as_ref().map(|bytes| PackageFile::new(&target, bytes));
+    if let Some(PackageFile { path, .. }) =
+        package.as_ref().filter(|package| package.path.symlink_metadata().is_ok())
+    {
         return Err(Failure::Message(format!("{} exists already; choose another name", escaped_line(path))));
     }
     write_new(&target, &resumed.text)?;
-    if let Some((path, bytes)) = &package {
-        write_whole(path, bytes).map_err(|error| Failure::file("write", path, &error))?;
-    }
-    let packed = package.as_ref().map_or_else(String::new, |(path, _)| {
-        format!(" and in a package {}", escaped_line(path.file_name().unwrap_or_default()))
-    });
+    package.as_ref().map_or(Ok(()), PackageFile::write)?;
+    let packed = package.as_ref().map_or_else(String::new, PackageFile::in_words);
     let text = format!(
         "wrote {}{packed}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
          about {} left\n{}\n\
@@ -168,7 +166,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     );
     let json = json!({
         "wrote": target.to_string_lossy(),
-        "package": package.map(|(path, _)| path.to_string_lossy().into_owned()),
+        "package": package.map(|package| package.path.to_string_lossy().into_owned()),
         "line": resumed.line,
         "done": resumed.done,
         "overlap_mm": resumed.overlap,

@@ -6,8 +6,8 @@ use crate::coupon::{
 };
 use crate::emit;
 use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Tool, coupon_piece, sha256};
-use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
+use crate::pipeline::{PACKAGE_ENDING, Sources};
 use design::{Refusal, Refusals};
 use geom::Path;
 use proof::artifact::{Artifact, Kind, Output, program_ending, takes_packages};
@@ -77,7 +77,8 @@ impl MadeCoupons {
             let program = coupon.gcode();
             files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &program));
             if takes_packages(machine.controller.dialect) {
-                let (name, output) = (format!("{}.{ending}.3mf", coupon.name), Output::new(Kind::Seal3mf));
+                let (name, output) =
+                    (format!("{}.{ending}{PACKAGE_ENDING}", coupon.name), Output::new(Kind::Seal3mf));
                 let bytes = emit::package(&program, coupon.program.time);
                 files.extend(bytes.map(|bytes| Artifact { output, name, bytes }));
             }

@@ -75,8 +75,10 @@ pub fn feed_check(
 
 /// The program `text` in a package; `None` where `machine` takes none.
 fn package_of(spec: &Spec, machine: &Machine, text: &str) -> Option<Vec<u8>> {
-    let seconds = plan::feed_check_seconds(spec, machine, &plan::feed_checks(spec, machine));
-    takes_packages(machine.controller.dialect).then(|| emit::package(text, seconds)).flatten()
+    if !takes_packages(machine.controller.dialect) {
+        return None;
+    }
+    emit::package(text, plan::feed_check_seconds(spec, machine, &plan::feed_checks(spec, machine)))
 }
 
 /// Proves the feed check `bytes` in the file `name` from its manifest.

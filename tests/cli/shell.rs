@@ -254,9 +254,9 @@ fn a_fabric_that_no_shell_describes_is_refused_at_its_key_with_its_values() {
     ] {
         let spec = spec.replace("[fabric]\n", &format!("[fabric]\n{fabric}\n"));
         fs::write(dir.path().join("spec.toml"), spec).expect("written");
-        let refused = run(dir.path(), &[&["predict", "spec.toml"][..], &COARSE].concat());
-        let message = text(&refused.stderr);
-        assert_eq!(refused.status.code(), Some(1), "{fabric}: {message}");
+        let prediction = run(dir.path(), &[&["predict", "spec.toml"][..], &COARSE].concat());
+        let message = text(&prediction.stderr);
+        assert_eq!(prediction.status.code(), Some(1), "{fabric}: {message}");
         assert!(message.contains("[no-prediction]") && message.contains(values), "{fabric}: {message}");
         assert!(
             message.lines().any(|line| line.contains(" | ") && line.contains(key)),
@@ -314,9 +314,9 @@ fn many_different_stars_are_refused_before_they_are_computed() {
     let stars = stars.concat();
     let spec = format!("{SPEC}[stack]\ncount = 30\npitch = \"30 mm\"\n{stars}");
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
-    let refused = run(dir.path(), &["predict", "spec.toml", "--model", "shell"]);
-    let message = text(&refused.stderr);
-    assert_eq!(refused.status.code(), Some(1), "{message}");
+    let prediction = run(dir.path(), &["predict", "spec.toml", "--model", "shell"]);
+    let message = text(&prediction.stderr);
+    assert_eq!(prediction.status.code(), Some(1), "{message}");
     for words in
         ["[large-shell]", "30 different stars", "; at most 10 min are computed", "`--fineness coarse`"]
     {

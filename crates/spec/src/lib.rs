@@ -84,8 +84,8 @@ pub use name::{NAME_LENGTH, check_name, is_plain_word, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PRESS_TIMES, PaperSize, Press, PressLayer};
 pub use product::ProductKind;
 pub use profile::{
-    LEAST_ACCELERATION, MOST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine, builtin_machine,
-    builtin_machines, limits_set_by, machine_remedy, read_machine, usual_profile,
+    FIRST_STEP_RATE, LEAST_ACCELERATION, MOST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine,
+    builtin_machine, builtin_machines, limits_set_by, machine_remedy, read_machine, usual_profile,
 };
 pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};

@@ -193,7 +193,7 @@ fn lack_of_size(root: Node<'_, '_>) -> String {
         let beginning: String = value.filter(|value| parsed(value).is_none())?.chars().take(20).collect();
         Some(format!("the {name} is \"{beginning}\", which is no length with mm, cm, Q, in, pt, pc or px"))
     });
-    let lack = faulty.unwrap_or_else(|| "width and height have no unit".to_owned());
+    let lack = faulty.unwrap_or_else(|| "width and height lack a unit".to_owned());
     format!("The drawing has no physical size: {lack}.")
 }
 

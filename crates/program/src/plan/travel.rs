@@ -87,13 +87,13 @@ impl Travel {
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
         let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         let rise = way[2].abs() / length;
-        let (z_speed, z_acceleration) =
-            (limits.z.speed.map_or(f64::INFINITY, |z| z.0 / rise), limits.z.acceleration.map(|z| z.0 / rise));
+        let z_speed = limits.z.speed.map_or(f64::INFINITY, |z| z.0 / rise);
+        let z_acceleration = limits.z.acceleration.map_or(f64::INFINITY, |z| z.0 / rise);
         let acceleration = limits.acceleration.map(|a| limit_along(a, whole_ramp));
         Some(Self {
             length,
             speed: limit_along(limits.speed, whole_speed).min(z_speed),
-            acceleration: acceleration.map(|a| a.min(z_acceleration.unwrap_or(f64::INFINITY))),
+            acceleration: acceleration.map(|a| a.min(z_acceleration)),
             entry: 0.0,
             bend,
             upright: way[2] != 0.0,

@@ -1,9 +1,8 @@
 //! The versions of Marlin: by how much a chopped seal is off its speed on a version that the profile does not state.
 
 use crate::plan::{Chop, Pace, Program, Stepper};
+use spec::FIRST_STEP_RATE;
 
-/// The rate of a move's first step in versions that have one, steps/s (planner.cpp, `MINIMAL_STEP_RATE`).
-const FIRST_RATE: f64 = 120.0;
 /// Tolerance of the mean speed, relative.
 const MEAN: f64 = 0.002;
 
@@ -31,7 +30,7 @@ pub fn other_version(programs: &[Program]) -> Option<OtherVersion> {
 fn worst(chop: &Chop, speed: f64) -> Option<OtherVersion> {
     let stepper = chop.stepper.filter(|stepper| stepper.tick == 0.0)?;
     let has_first_rate = stepper.first_rate.is_none();
-    let other = Stepper { first_rate: has_first_rate.then_some(FIRST_RATE), ..stepper };
+    let other = Stepper { first_rate: has_first_rate.then_some(FIRST_STEP_RATE), ..stepper };
     let [x, y, _] = stepper.steps_per_mm;
     let (axis, diagonal) = (chop.longest, chop.longest / libm::hypot(1.0, x / y));
     let errors =

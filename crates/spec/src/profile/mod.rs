@@ -32,7 +32,7 @@ use crate::value::RawValue;
 use crate::{Code, FaultCode};
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
-pub use motion::{LEAST_ACCELERATION, MOST_ACCELERATION};
+pub use motion::{FIRST_STEP_RATE, LEAST_ACCELERATION, MOST_ACCELERATION};
 pub use recognition::{UNSERVED_MACHINES, UnservedMachine, machine_remedy};
 pub use script::limits_set_by;
 

@@ -18,6 +18,8 @@ const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
+/// The rate of a move's first step in Marlin to 2.0.x, steps/s (planner.cpp, `MINIMAL_STEP_RATE`).
+pub const FIRST_STEP_RATE: f64 = 120.0;
 /// Largest speed of Z, mm/s: from a slow screw to a linear motor.
 const Z_SPEED: Allowed = Allowed::closed(1e-3, 1e3);
 /// Fewest steps of a move: more than a misconfigured firmware requires.
@@ -38,7 +40,9 @@ impl MotionDefaults {
     /// the values of most boards.
     const fn new(dialect: Dialect) -> Self {
         match dialect {
-            Dialect::Marlin => Self { first_step_rate: Some(120.0), min_move_steps: 6.0, has_floor: true },
+            Dialect::Marlin => {
+                Self { first_step_rate: Some(FIRST_STEP_RATE), min_move_steps: 6.0, has_floor: true }
+            }
             Dialect::Generic
             | Dialect::LinuxCnc
             | Dialect::Grbl
