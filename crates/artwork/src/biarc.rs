@@ -130,11 +130,11 @@ impl Span {
         let [first, second] = biarc.segments(straight);
         let (joint, tangent) = (biarc.points[1], biarc.tangents[1]);
         // From the whole circle or line: the samples are beside it.
-        let distance = |p: &Point| match if (*p - joint).dot(tangent) < 0.0 { first } else { second } {
+        let deviation = |p: &Point| match if (*p - joint).dot(tangent) < 0.0 { first } else { second } {
             Segment::Arc(arc) => (p.distance(arc.center) - arc.radius).abs(),
             Segment::Line(line) => line.direction().cross(*p - line.start).abs(),
         };
-        self.samples.iter().map(distance).fold(0.0, f64::max)
+        self.samples.iter().map(deviation).fold(0.0, f64::max)
     }
 
     /// Whether all samples lie within `allowed` of the chord and in its order, and it comes from no place beyond an end, where it turned

@@ -121,22 +121,9 @@ fn slopes(points: &[Point], ends: [Option<Vec2>; 2]) -> Vec<Vec2> {
     let h: Vec<f64> = points.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
     let rates: Vec<Vec2> =
         points.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) * (1.0 / h)).collect();
-    // Rows: below, diagonal, above, right side.
-    let row = |i: usize| match (i, ends) {
-        (0, [Some(t), _]) => (0.0, 1.0, 0.0, t.normalized()),
-        (0, _) => (0.0, 2.0, 1.0, rates[0] * 3.0),
-        (i, [_, Some(t)]) if i == n - 1 => (0.0, 1.0, 0.0, t.normalized()),
-        (i, _) if i == n - 1 => (1.0, 2.0, 0.0, rates[n - 2] * 3.0),
-        _ => (
-            h[i],
-            2.0 * (h[i - 1] + h[i]),
-            h[i - 1],
-            rates[i - 1] * (3.0 * h[i]) + rates[i] * (3.0 * h[i - 1]),
-        ),
-    };
     let mut solved: Vec<(f64, Vec2)> = Vec::with_capacity(n);
     for i in 0..n {
-        let (below, diagonal, above, right) = row(i);
+        let (below, diagonal, above, right) = slope_row(i, ends, &h, &rates);
         let (upper, value) = solved.last().copied().unwrap_or_default();
         let pivot = diagonal - below * upper;
         solved.push((above / pivot, (right - value * below) * (1.0 / pivot)));
@@ -148,6 +135,24 @@ fn slopes(points: &[Point], ends: [Option<Vec2>; 2]) -> Vec<Vec2> {
         *slot = next;
     }
     slopes
+}
+
+/// Row `i` of the system of [`slopes`], where `h` are the chords and `rates` their directions by length: below, diagonal, above, right
+/// side.
+fn slope_row(i: usize, ends: [Option<Vec2>; 2], h: &[f64], rates: &[Vec2]) -> (f64, f64, f64, Vec2) {
+    let last = rates.len();
+    match (i, ends) {
+        (0, [Some(t), _]) => (0.0, 1.0, 0.0, t.normalized()),
+        (0, _) => (0.0, 2.0, 1.0, rates[0] * 3.0),
+        (i, [_, Some(t)]) if i == last => (0.0, 1.0, 0.0, t.normalized()),
+        (i, _) if i == last => (1.0, 2.0, 0.0, rates[last - 1] * 3.0),
+        _ => (
+            h[i],
+            2.0 * (h[i - 1] + h[i]),
+            h[i - 1],
+            rates[i - 1] * (3.0 * h[i]) + rates[i] * (3.0 * h[i - 1]),
+        ),
+    }
 }
 
 #[cfg(test)]

@@ -18,25 +18,27 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {
         let line = 2 * groups.len() + 1;
-        let fault = |text: String, remedy: &str| Fault::single(Place::line(line), text, remedy);
         let Ok(code) = first.trim().parse::<i32>() else {
             if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
                 break;
             }
             let beginning: String = first.trim().chars().take(20).collect();
-            return Err(fault(
+            return Err(Fault::single(
+                Place::line(line),
                 format!("\"{beginning}\" is not a group code."),
                 "Export the drawing as ASCII DXF again.",
             ));
         };
         let Some(value) = lines.next() else {
-            return Err(fault(
-                "The file ends within a group.".into(),
+            return Err(Fault::single(
+                Place::line(line),
+                "The file ends within a group.",
                 "Copy or export the file again: it is cut off.",
             ));
         };
         if groups.len() >= max_groups {
-            return Err(fault(format!("The file has more than {max_groups} groups."), "Split the drawing."));
+            let text = format!("The file has more than {max_groups} groups.");
+            return Err(Fault::single(Place::line(line), text, "Split the drawing."));
         }
         let value = if code == 1 { value } else { value.trim() };
         groups.push(Group { code, value });

@@ -58,40 +58,49 @@ impl Pen {
         (self.cubic, self.quadratic) = (None, Some(control));
     }
 
+    /// The place (`x`, `y`), which counts from the pen unless it is absolute.
+    fn place(&self, abs: bool, x: f64, y: f64) -> Point {
+        if abs { Point::new(x, y) } else { self.at + Vec2::new(x, y) }
+    }
+
+    /// The last control point on the other side of the pen, or the pen where there is none.
+    fn mirrored(&self, control: Option<Point>) -> Point {
+        control.map_or(self.at, |control| self.at + (self.at - control))
+    }
+
     fn draw(&mut self, segment: PathSegment) {
-        // Places are absolute or count from the current one. A smooth curve mirrors the last control point only if the
-        // segment before it was a curve of its own kind, so both are taken first.
-        let current = self.at;
-        let place =
-            |abs: bool, x: f64, y: f64| if abs { Point::new(x, y) } else { current + Vec2::new(x, y) };
-        let mirrored =
-            |control: Option<Point>| control.map_or(current, |control| current + (current - control));
+        // A smooth curve mirrors the last control point only if the segment before it was a curve of its own kind, so both are
+        // taken first.
         let (cubic, quadratic) = (self.cubic.take(), self.quadratic.take());
         match segment {
             PathSegment::MoveTo { abs, x, y } => {
-                self.at = place(abs, x, y);
+                self.at = self.place(abs, x, y);
                 self.start = self.at;
                 self.lift();
             }
-            PathSegment::LineTo { abs, x, y } => self.line(place(abs, x, y)),
+            PathSegment::LineTo { abs, x, y } => self.line(self.place(abs, x, y)),
             PathSegment::HorizontalLineTo { abs, x } => {
-                self.line(Point::new(if abs { x } else { current.x + x }, current.y));
+                self.line(Point::new(if abs { x } else { self.at.x + x }, self.at.y));
             }
             PathSegment::VerticalLineTo { abs, y } => {
-                self.line(Point::new(current.x, if abs { y } else { current.y + y }));
+                self.line(Point::new(self.at.x, if abs { y } else { self.at.y + y }));
             }
             PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
-                self.curve(place(abs, x1, y1), place(abs, x2, y2), place(abs, x, y));
+                self.curve(self.place(abs, x1, y1), self.place(abs, x2, y2), self.place(abs, x, y));
             }
             PathSegment::SmoothCurveTo { abs, x2, y2, x, y } => {
-                self.curve(mirrored(cubic), place(abs, x2, y2), place(abs, x, y));
+                self.curve(self.mirrored(cubic), self.place(abs, x2, y2), self.place(abs, x, y));
             }
-            PathSegment::Quadratic { abs, x1, y1, x, y } => self.bend(place(abs, x1, y1), place(abs, x, y)),
-            PathSegment::SmoothQuadratic { abs, x, y } => self.bend(mirrored(quadratic), place(abs, x, y)),
+            PathSegment::Quadratic { abs, x1, y1, x, y } => {
+                self.bend(self.place(abs, x1, y1), self.place(abs, x, y))
+            }
+            PathSegment::SmoothQuadratic { abs, x, y } => {
+                self.bend(self.mirrored(quadratic), self.place(abs, x, y))
+            }
             PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } => {
-                let end = place(abs, x, y);
+                let end = self.place(abs, x, y);
                 let flags = [large_arc, sweep];
-                self.push(elliptical([current, end], [rx.abs(), ry.abs()], x_axis_rotation, flags), end);
+                self.push(elliptical([self.at, end], [rx.abs(), ry.abs()], x_axis_rotation, flags), end);
             }
             PathSegment::ClosePath { .. } => {
                 self.chain.closed = true;

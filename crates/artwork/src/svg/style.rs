@@ -193,12 +193,11 @@ mod tests {
         let text =
             "<svg><path id='p' class='b a'/><path class='a' style='stroke: pink'/><rect class='a'/></svg>";
         let rules = "/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray}";
-        let strokes_of = |words: [&str; 3]| words.map(|word| Some(word.to_owned())).to_vec();
-        assert_eq!(strokes(&sheet(rules), text), strokes_of(["gray", "pink", "blue"]));
+        assert_eq!(strokes(&sheet(rules), text), ["gray", "pink", "blue"].map(|word| Some(word.to_owned())));
         let without_id = rules.replace("#p{stroke:gray}", "");
         assert_eq!(strokes(&sheet(&without_id), text)[0].as_deref(), Some("#0F0"));
         let important = format!("{rules} *{{stroke:black ! important}}");
-        assert_eq!(strokes(&sheet(&important), text), strokes_of(["black"; 3]));
+        assert_eq!(strokes(&sheet(&important), text), ["black"; 3].map(|word| Some(word.to_owned())));
     }
 
     /// Each selector with the numbers of the elements that it matches.

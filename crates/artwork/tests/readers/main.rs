@@ -1,7 +1,9 @@
 //! Both readers of drawings: every dialect, laws, pages, visibility, refused files.
 
-mod dialects;
+mod dxf_dialects;
 mod laws;
+mod lookup;
 mod pages;
 mod refusals;
+mod svg_dialects;
 mod visible;
