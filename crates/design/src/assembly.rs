@@ -36,8 +36,7 @@ impl StarAssembly {
         let mut part_numbers: Vec<usize> = Vec::new();
         let mut refusals = Refusals::new();
         for (i, star) in spec.stars.iter().enumerate() {
-            let is_same = |other: usize| spec.stars[other].same_part(star);
-            if let Some(twin) = (0..i).find(|other| is_same(*other)) {
+            if let Some(twin) = spec.stars[..i].iter().position(|other| other.same_part(star)) {
                 part_numbers.extend(part_numbers.get(twin).copied());
                 continue;
             }

@@ -88,14 +88,15 @@ impl Star {
     ///
     /// `None` if nothing is left: the hole is closed.
     pub fn contour(&self, side: Side, delta: f64, least_radius: f64) -> Option<Contour> {
-        let arcs = |arc: &dyn Fn(u32) -> (Part, Segment)| (1..=self.n).map(arc).collect();
         let parts = match self.trimmed(side, delta, least_radius)? {
             Trimmed::Arms { corner, tip, arm } => return Some(self.with_arms(corner, tip, arm)),
-            Trimmed::Corners(hinge) => arcs(&|k| {
-                let next = k % self.n + 1;
-                (Part::Corner(next), self.corner_arc(next, hinge).into())
-            }),
-            Trimmed::Tips(hinge) => arcs(&|k| (Part::Tip(k), self.tip_arc(k, hinge).into())),
+            Trimmed::Corners(hinge) => (1..=self.n)
+                .map(|k| k % self.n + 1)
+                .map(|k| (Part::Corner(k), self.corner_arc(k, hinge).into()))
+                .collect(),
+            Trimmed::Tips(hinge) => {
+                (1..=self.n).map(|k| (Part::Tip(k), self.tip_arc(k, hinge).into())).collect()
+            }
         };
         Some(Contour { parts, arm: 0.0 })
     }
@@ -133,18 +134,18 @@ impl Star {
     }
 
     fn with_arms(&self, corner: ContourHinge, tip: ContourHinge, arm: f64) -> Contour {
-        let corner_arc = |k| self.corner_arc(k, corner);
-        let tip_arc = |k| self.tip_arc(k, tip);
         let mut parts = Vec::with_capacity(4 * self.n as usize);
         for k in 1..=self.n {
             let next = k % self.n + 1;
-            parts.push((Part::Arm(2 * k - 1), Line::new(corner_arc(k).end(), tip_arc(k).start()).into()));
+            let [corner_arc, next_corner_arc] = [k, next].map(|k| self.corner_arc(k, corner));
+            let tip_arc = self.tip_arc(k, tip);
+            parts.push((Part::Arm(2 * k - 1), Line::new(corner_arc.end(), tip_arc.start()).into()));
             if tip.radius > 0.0 {
-                parts.push((Part::Tip(k), tip_arc(k).into()));
+                parts.push((Part::Tip(k), tip_arc.into()));
             }
-            parts.push((Part::Arm(2 * k), Line::new(tip_arc(k).end(), corner_arc(next).start()).into()));
+            parts.push((Part::Arm(2 * k), Line::new(tip_arc.end(), next_corner_arc.start()).into()));
             if corner.radius > 0.0 {
-                parts.push((Part::Corner(next), corner_arc(next).into()));
+                parts.push((Part::Corner(next), next_corner_arc.into()));
             }
         }
         Contour { parts, arm }

@@ -31,22 +31,20 @@ impl CutLines {
     /// If the cut is wider than something that it is to cut out.
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
         leaves_holes(kerf, &outline.registration)?;
-        let inside = |path: &Path, what| tool_inside(path, kerf, what);
-        let tool_path = |path: &Path, what| tool_around(path, kerf, what);
         // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
         let windows = match mask.windows.first() {
             Some(first) if kerf > 0.0 => {
-                let first = inside(first, "a coating window")?;
-                let turn = |k| Isometry::rotation(star.corner_ray(k) - star.corner_ray(1));
-                (1..=star.n).map(|k| turn(k).path(&first)).collect()
+                let first = tool_inside(first, kerf, "a coating window")?;
+                let turns = (1..=star.n).map(|k| star.corner_ray(k) - star.corner_ray(1));
+                turns.map(|turn| Isometry::rotation(turn).path(&first)).collect()
             }
             _ => mask.windows.clone(),
         };
         Ok(Self {
             kerf,
-            outside: tool_path(&outline.outside, "the outline")?,
-            hole: inside(&outline.hole, "the star's hole")?,
-            plate: tool_path(&mask.plate, "the mask's plate")?,
+            outside: tool_around(&outline.outside, kerf, "the outline")?,
+            hole: tool_inside(&outline.hole, kerf, "the star's hole")?,
+            plate: tool_around(&mask.plate, kerf, "the mask's plate")?,
             windows,
         })
     }

@@ -112,6 +112,11 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// `path` moved by `motion`.
+    pub(super) fn moved_path(path: &Path, motion: &Isometry) -> Self {
+        Self::Path(motion.path(path))
+    }
+
     /// The paths as one mark; `None` without paths.
     pub fn figure(paths: Vec<Path>) -> Option<Self> {
         (!paths.is_empty()).then_some(Self::Figure(paths))
@@ -163,19 +168,12 @@ impl Shape {
 impl Drawing {
     /// The centre lines of all seams on sheet `sheet`.
     pub fn seals(design: &Design, sheet: usize) -> Option<Self> {
-        let seams = |layer: Layer, is_on: &dyn Fn(&str) -> bool| {
-            let shapes = design.on_sheet(sheet).flat_map(|placed| {
-                let seams = design.part(placed).shape().seams.iter().filter(|seam| is_on(&seam.name));
-                seams.map(|seam| Shape::Path(placed.placement.path(&seam.center_line)))
-            });
-            (layer, shapes.collect())
-        };
-        let of_star = |layer, side: Side| seams(layer, &|name| name == side.loop_name());
         let layers = match design.product {
-            Product::Stars(_) => {
-                vec![of_star(Layer::SealInner, Side::Hole), of_star(Layer::SealOuter, Side::Outside)]
-            }
-            Product::Drawing(_) => vec![seams(Layer::Seal, &|_| true)],
+            Product::Stars(_) => vec![
+                (Layer::SealInner, center_lines(design, sheet, Some(Side::Hole))),
+                (Layer::SealOuter, center_lines(design, sheet, Some(Side::Outside))),
+            ],
+            Product::Drawing(_) => vec![(Layer::Seal, center_lines(design, sheet, None))],
         };
         Self::of_sheet(design, sheet, layers)
     }
@@ -186,15 +184,14 @@ impl Drawing {
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
-            let place = |path: &Path| Shape::Path(placed.placement.path(path));
             labels.extend(Shape::figure(match part {
                 FlatPiece::Star(star) => label::on_outline(star, placed),
                 FlatPiece::Drawn(piece) => label::on_piece(piece, placed),
             }));
             let cut = part.cut(edge);
             holes.extend(registration(cut.holes, &placed.placement, cut.kerf));
-            inside.extend(cut.inside.iter().map(place));
-            outside.push(place(cut.outside));
+            inside.extend(cut.inside.iter().map(|path| Shape::moved_path(path, &placed.placement)));
+            outside.push(Shape::moved_path(cut.outside, &placed.placement));
         }
         let layers = vec![
             (Layer::Label, labels),
@@ -226,7 +223,6 @@ impl Drawing {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         let mask = &part.mask;
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
-        let place = |path: &Path| Shape::Path(motion.path(path));
         let (plate, windows, kerf) = match edge {
             CutEdge::Part => (&mask.plate, &mask.windows, 0.0),
             CutEdge::Tool => (&part.cut.plate, &part.cut.windows, part.cut.kerf),
@@ -235,8 +231,8 @@ impl Drawing {
         Some(Self::around_axis(vec![
             (Layer::Label, labels.into_iter().collect()),
             (Layer::Registration, registration(&part.outline.registration, &motion, kerf).collect()),
-            (Layer::MaskWindow, windows.iter().map(place).collect()),
-            (Layer::MaskPlate, vec![place(plate)]),
+            (Layer::MaskWindow, windows.iter().map(|window| Shape::moved_path(window, &motion)).collect()),
+            (Layer::MaskPlate, vec![Shape::moved_path(plate, &motion)]),
         ]))
     }
 
@@ -244,10 +240,9 @@ impl Drawing {
     pub fn separator(piece: &DrawnPiece, edge: CutEdge) -> Option<Self> {
         let separator = piece.separator.as_ref()?;
         let paths = if edge == CutEdge::Tool { &separator.tool } else { &separator.part };
-        let shapes = |paths: &[Path]| paths.iter().cloned().map(Shape::Path).collect();
         Some(Self::around_axis(vec![
-            (Layer::MaskWindow, shapes(&paths.windows)),
-            (Layer::MaskPlate, shapes(&paths.pieces)),
+            (Layer::MaskWindow, paths.windows.iter().cloned().map(Shape::Path).collect()),
+            (Layer::MaskPlate, paths.pieces.iter().cloned().map(Shape::Path).collect()),
         ]))
     }
 
@@ -311,6 +306,16 @@ impl Drawing {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         Some(Self { origin: Origin::LowerLeft, width: layout.width, height: layout.height, layers })
     }
+}
+
+/// The centre lines of the seams on sheet `sheet`: those of one side of all stars, or all.
+fn center_lines(design: &Design, sheet: usize, side: Option<Side>) -> Vec<Shape> {
+    let shapes = design.on_sheet(sheet).flat_map(|placed| {
+        let seams = design.part(placed).shape().seams.iter();
+        let seams = seams.filter(move |seam| side.is_none_or(|side| seam.name == side.loop_name()));
+        seams.map(|seam| Shape::moved_path(&seam.center_line, &placed.placement))
+    });
+    shapes.collect()
 }
 
 fn circle(center: Point, radius: f64) -> Shape {

@@ -160,12 +160,7 @@ fn obstructed(posts: &[Point], clear_radius: f64, hoses: &[Hose]) -> Option<(f64
 /// Direction of the first post: in the middle of the widest gap between hoses, all seen within one step of the posts.
 fn first_post(count: u32, hoses: &[Hose]) -> f64 {
     let step = TAU / f64::from(count);
-    // A direction that differs by a whole step is the same one; rounding must not change that.
-    let in_sector = |angle: f64| {
-        let a = angle.rem_euclid(step);
-        if step - a < 1e-9 { 0.0 } else { a }
-    };
-    let mut directions: Vec<f64> = hoses.iter().map(|hose| in_sector(hose.direction)).collect();
+    let mut directions: Vec<f64> = hoses.iter().map(|hose| in_sector(hose.direction, step)).collect();
     directions.sort_by(f64::total_cmp);
     let Some(first) = directions.first().copied() else { return step / 2.0 };
     directions.push(first + step);
@@ -176,6 +171,12 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
         }
     }
     best.1.rem_euclid(step)
+}
+
+/// The direction `angle` within one step of the posts. Directions that differ by a whole step are equal; rounding must not change that.
+fn in_sector(angle: f64, step: f64) -> f64 {
+    let a = angle.rem_euclid(step);
+    if step - a < 1e-9 { 0.0 } else { a }
 }
 
 fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
@@ -196,14 +197,13 @@ fn meets_hose(
 ) -> Refusal {
     let first = hoses.first().map_or(0.0, |hose| hose.direction);
     let in_line: Vec<Hose> = hoses.iter().map(|hose| Hose { direction: first, ..*hose }).collect();
-    let fewer = |hoses: &[Hose]| (FEWEST_POSTS..posts).rev().find(|count| helps(*count, hoses));
+    let [fewer, fewer_in_line] =
+        [hoses, &in_line].map(|hoses| (FEWEST_POSTS..posts).rev().find(|count| helps(*count, hoses)));
     let lined = "put the inlets of all stars in line: rotation, inlet_tip";
-    let ways = [
-        fewer(hoses).map(|count| format!("make posts {count}")),
-        helps(posts, &in_line).then(|| lined.to_owned()),
-    ];
+    let ways =
+        [fewer.map(|count| format!("make posts {count}")), helps(posts, &in_line).then(|| lined.to_owned())];
     let ways: Vec<String> = ways.into_iter().flatten().collect();
-    let remedy = match fewer(&in_line) {
+    let remedy = match fewer_in_line {
         _ if !ways.is_empty() => ways.join(", or "),
         Some(count) => format!("make posts {count}, and {lined}"),
         None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),

@@ -133,10 +133,11 @@ impl SealJob {
             self.processes.len() - 1
         });
         for (seam, line) in lines.iter().zip(1..) {
-            let laid_seam = |seam: &Seam| LaidSeam::new(&piece.name, seam, piece.placement, ramp);
-            let forward = laid_seam(seam);
-            let back = (passes > 1 && !seam.center_line.closed)
-                .then(|| laid_seam(&Seam { center_line: seam.center_line.reversed(), ..seam.clone() }));
+            let forward = LaidSeam::new(&piece.name, seam, piece.placement, ramp);
+            let back = (passes > 1 && !seam.center_line.closed).then(|| {
+                let reversed = Seam { center_line: seam.center_line.reversed(), ..seam.clone() };
+                LaidSeam::new(&piece.name, &reversed, piece.placement, ramp)
+            });
             for pass in 1..=passes {
                 let way = back.as_ref().filter(|_| pass % 2 == 0).unwrap_or(&forward);
                 self.contacts.push(SealContact { laid: way.clone(), process: index, line, pass });

@@ -152,32 +152,30 @@ impl Around {
     /// Radius and places of the knobs for which a joint at `x` has room; `None` if it has none.
     fn room(&self, x: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
         let Chord { low: (low, _), high: (high, _) } = self.sector.chord(x)?;
-        let in_sector = |y: f64| {
-            let end = Point::new(x, y);
-            end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
-        };
+        let mut ends = [low, high].into_iter().map(|y| Point::new(x, y));
+        let is_in_sector =
+            ends.all(|end| end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector);
         let hits = |(hole, radius): &(Point, f64)| {
             (low..high).contains(&hole.y) && (hole.x - x).abs() < radius + WALL
         };
         // The dearest test is the last one.
-        if !in_sector(low)
-            || !in_sector(high)
-            || self.holes.iter().any(hits)
-            || !encloses_axis_at(&self.plate, x)
-        {
+        if !is_in_sector || self.holes.iter().any(hits) || !encloses_axis_at(&self.plate, x) {
             return None;
         }
         let (middle, quarter) = (f64::midpoint(low, high), (high - low) / 4.0);
-        let free = |radius: f64, y: f64| {
-            let center = Point::new(x + radius / 2.0, y);
-            let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
-            self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
-        };
         let radii = RADII.into_iter().filter(|radius| *radius <= self.most);
         let two = radii.clone().filter(|radius| quarter >= radius + WALL);
         let two = two.map(|radius| (radius, vec![middle - quarter, middle + quarter]));
         let single = radii.map(|radius| (radius, vec![middle]));
-        two.chain(single).find(|(radius, places)| places.iter().all(|y| free(*radius, *y)))
+        two.chain(single).find(|(radius, places)| {
+            places.iter().all(|y| self.is_free(*radius, Point::new(x + radius / 2.0, *y)))
+        })
+    }
+
+    /// Whether a knob of `radius` around `center` leaves a wall to the plate's edge and to all holes.
+    fn is_free(&self, radius: f64, center: Point) -> bool {
+        let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
+        self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
     }
 }
 

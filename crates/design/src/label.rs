@@ -27,10 +27,9 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
     let rim = part.star.r_i + part.star.w + part.shape.band;
     let strip = part.outline.flap;
     let text = format!("STAR {} THIS SIDE UP WARP ", placed.index);
-    let place = |p: Point| placed.placement.point(p);
     let turn = placed.placement.rotation;
     let Some(line) = fit(part, &text, rim + strip / 2.0, strip) else { return Vec::new() };
-    let center = place(part.star.tip_center(line.stretch.tip));
+    let center = placed.placement.point(part.star.tip_center(line.stretch.tip));
     let mut strokes =
         lettering::circular_text(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
     // Behind the text: the advance of the last blank is half of the arrow's length.
@@ -124,7 +123,9 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
 
 /// A double arrow along X.
 pub(super) fn arrow(middle: Point, half: f64) -> Vec<Path> {
-    let point = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
-    let head = |x: f64| Path::polyline(&[point(0.6 * x, 0.4), point(x, 0.0), point(0.6 * x, -0.4)]);
-    vec![Path::polyline(&[point(-1.0, 0.0), point(1.0, 0.0)]), head(-1.0), head(1.0)]
+    let (shaft, heads) =
+        ([(-1.0, 0.0), (1.0, 0.0)], [-1.0, 1.0].map(|x| [(0.6 * x, 0.4), (x, 0.0), (0.6 * x, -0.4)]));
+    let lines = [&shaft[..], &heads[0], &heads[1]]
+        .map(|line| line.iter().map(|(x, y)| middle + Vec2::new(*x, *y) * half));
+    lines.into_iter().map(|line| Path::polyline(&line.collect::<Vec<_>>())).collect()
 }

@@ -99,10 +99,12 @@ impl MaskTiles {
         if fit.clearance >= 0.0 {
             return Ok(Self::one_tile(mask, fit.turn, fit.size));
         }
-        let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
         let divisions: [OnceCell<Division>; RADII.len()] = Default::default();
         let divisions = divisions.iter().zip(RADII).map(|(cell, most)| -> &Division {
-            cell.get_or_init(|| Division::new(tips(most).collect(), &mask.plate))
+            cell.get_or_init(|| {
+                let cuts = (1..=star.n).filter_map(|tip| JointCut::new(star, outline, mask, tip, most));
+                Division::new(cuts.collect(), &mask.plate)
+            })
         });
         Self::fitted(divisions.clone(), &plate, mask, bed).map_err(|TooLarge { what, size }| LargeMask {
             what,
@@ -145,12 +147,11 @@ impl MaskTiles {
     /// The largest middle is found first; then each tip that does not stay on it is split off and gets its best place on the bed.
     fn cut_up(division: &Division, mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let Division { cuts, core, tips } = division;
-        let too_large = |what, edge: &TurnedPath| TooLarge { what, size: edge.best_fit(bed).size };
         if tips.len() < cuts.len() {
-            return Err(too_large("a tip", core));
+            return Err(TooLarge::new("a tip", core, bed));
         }
-        let (turn, is_kept) =
-            most_kept(core, tips, bed).ok_or_else(|| too_large("the middle with all windows", core))?;
+        let (turn, is_kept) = most_kept(core, tips, bed)
+            .ok_or_else(|| TooLarge::new("the middle with all windows", core, bed))?;
         let mut divided = Self { tiles: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&is_kept).filter(|(_, is_kept)| !**is_kept) {
@@ -192,18 +193,20 @@ impl MaskTile {
     /// the ray of its tip.
     pub(super) fn roomiest_point(&self, star: &Star, outline: &Outline, mask: &MaskPlate) -> Point {
         let Some(tip) = self.tip else { return Point::ORIGIN };
-        let room = |p: Point| {
-            let holes = outline.registration.iter().map(|hole| hole.center.distance(p) - hole.diameter / 2.0);
-            let windows = mask.windows.iter().map(|window| window.distance(p));
-            let edge_distance = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
-            holes.chain(windows).fold(edge_distance, f64::min)
-        };
         let ray = Vec2::unit(star.tip_ray(tip));
         let on_ray = (0_u32..200).map(|i| Point::ORIGIN + ray * (star.tip_reach() * f64::from(i) / 200.0));
-        let places = on_ray.map(|place| (room(place), place));
+        let places = on_ray.map(|place| (self.room(place, outline, mask), place));
         // Of equal places the first.
         let roomiest = places.reduce(|best, next| if next.0 > best.0 + 1e-6 { next } else { best });
         roomiest.map_or(Point::ORIGIN, |(_, place)| place)
+    }
+
+    /// Distance of `p`, in the piece, from its edge and from everything cut out of it.
+    fn room(&self, p: Point, outline: &Outline, mask: &MaskPlate) -> f64 {
+        let holes = outline.registration.iter().map(|hole| hole.center.distance(p) - hole.diameter / 2.0);
+        let windows = mask.windows.iter().map(|window| window.distance(p));
+        let edge_distance = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
+        holes.chain(windows).fold(edge_distance, f64::min)
     }
 }
 
@@ -252,6 +255,13 @@ struct TooLarge {
     what: &'static str,
     /// Extent of the piece where it is least too large, mm.
     size: [f64; 2],
+}
+
+impl TooLarge {
+    /// The piece `what` with this `edge`, as it fits `bed` best.
+    fn new(what: &'static str, edge: &TurnedPath, bed: Bed) -> Self {
+        Self { what, size: edge.best_fit(bed).size }
+    }
 }
 
 /// A mask of which a piece is larger than the bed.

@@ -105,20 +105,21 @@ impl Object {
             (Some(low), Some(high)) => 0.5 * (low + high),
             _ => 0.0,
         };
-        let spread = |below: f64| -> Vec<Meeting> {
-            let meeting = |height: &f64| {
-                let z = height - middle;
-                let radius = self.radius_at(z);
-                // A star that it has to go through with its widest part, or only with its end.
-                let entering = if below * z <= 0.0 { self.radius } else { radius };
-                Meeting { radius, entering, slope: self.slope_at(z) }
-            };
-            heights.iter().map(meeting).collect()
+        let (below, above) = (self.spread(heights, middle, 1.0), self.spread(heights, middle, -1.0));
+        if passed_count(&above, holes) > passed_count(&below, holes) { above } else { below }
+    }
+
+    /// The contacts of stars at `heights`, where the object's middle is at `middle`, and it enters from below if `below` is 1, from above if
+    /// it is -1.
+    fn spread(&self, heights: &[f64], middle: f64, below: f64) -> Vec<Meeting> {
+        let meeting = |height: &f64| {
+            let z = height - middle;
+            let radius = self.radius_at(z);
+            // A star that it has to go through with its widest part, or only with its end.
+            let entering = if below * z <= 0.0 { self.radius } else { radius };
+            Meeting { radius, entering, slope: self.slope_at(z) }
         };
-        let passed =
-            |all: &[Meeting]| all.iter().zip(holes).filter(|(one, hole)| one.entering <= **hole).count();
-        let (below, above) = (spread(1.0), spread(-1.0));
-        if passed(&above) > passed(&below) { above } else { below }
+        heights.iter().map(meeting).collect()
     }
 
     /// The contacts of `count` equal stars `pitch` apart with a hole of radius `hole`, bottom first.
@@ -192,6 +193,11 @@ pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) ->
             ),
         )
     })
+}
+
+/// The number of holes that let the object pass.
+fn passed_count(meetings: &[Meeting], holes: &[f64]) -> usize {
+    meetings.iter().zip(holes).filter(|(meeting, hole)| meeting.entering <= **hole).count()
 }
 
 #[cfg(test)]

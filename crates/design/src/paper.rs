@@ -119,12 +119,9 @@ impl Paper {
             self.grid(drawing, part, false),
             self.grid(drawing, part, true),
         ];
-        let pages = |grid: &TileGrid<'_>| {
-            if grid.columns * grid.rows > MOST_TILES { usize::MAX } else { grid.tiles(drawing).len() }
-        };
-        let (mut best, mut fewest) = (pages(&upright), upright);
+        let (mut best, mut fewest) = (upright.page_count(drawing), upright);
         for grid in alternatives {
-            let count = pages(&grid);
+            let count = grid.page_count(drawing);
             if count < best {
                 (best, fewest) = (count, grid);
             }
@@ -200,6 +197,11 @@ pub(super) struct Tile {
 }
 
 impl TileGrid<'_> {
+    /// The number of tiles on which something of the part lies; the largest number if the grid has too many.
+    fn page_count(&self, drawing: &Drawing) -> usize {
+        if self.columns * self.rows > MOST_TILES { usize::MAX } else { self.tiles(drawing).len() }
+    }
+
     /// The tiles on which something of the part lies, top row first.
     fn tiles(&self, drawing: &Drawing) -> Vec<Tile> {
         let mut tiles = Vec::new();

@@ -3,10 +3,10 @@
 //! Each separator has the registration holes of its piece around it. The sheet is laid on the pins that hold the fabric, and what is
 //! left of it is lifted off: the separators stay in their places.
 
-use crate::placement::{Placement, place};
+use crate::placement::{Placement, place, size_in_words};
 use crate::{Design, PaperSeparator, PlacedPart, Refusal, RefusalCode, Refusals, SheetLayout};
 use geom::{Bounds, Isometry};
-use spec::units::{Length, Readable, tenths_up};
+use spec::units::{Length, tenths_up};
 use spec::{Machine, MaskKind, PaperSize, Sheet, Spec, key};
 
 /// One sheet of paper with its separators.
@@ -119,23 +119,22 @@ fn extent(design: &Design, piece: &PlacedPart) -> Bounds {
 fn too_large(piece: &PlacedPart, bounds: &Bounds, paper: PaperSize, sheet: &Sheet) -> Option<Refusal> {
     let [width, height] = [sheet.width, sheet.height]
         .map(|side| side.map_or(0.0, |side: Length| side.0 - 2.0 * sheet.margin.0));
-    let fits = |w: f64, h: f64| w <= width && h <= height;
-    if fits(bounds.width(), bounds.height()) || fits(bounds.height(), bounds.width()) {
+    let (low, high) = (bounds.width().min(bounds.height()), bounds.width().max(bounds.height()));
+    if low <= width.min(height) && high <= width.max(height) {
         return None;
     }
-    let size = |w: f64, h: f64| format!("{} x {} mm", Readable(w), Readable(h));
     let (needed_sides, margins) = ([bounds.width(), bounds.height()].map(tenths_up), 2.0 * MARGIN);
     let [w, h] = paper.sides();
     let fault = format!(
         "the separator of {} with its registration holes needs {}; paper of {} has room for {}",
         piece.name(),
-        size(needed_sides[0], needed_sides[1]),
-        size(w, h),
-        size(width.max(0.0), height.max(0.0)),
+        size_in_words(needed_sides[0], needed_sides[1]),
+        size_in_words(w, h),
+        size_in_words(width.max(0.0), height.max(0.0)),
     );
     let remedy = format!(
         "write paper = \"{}\" or larger, or delete `paper` to print on pages that are taped together",
-        size(needed_sides[0] + margins, needed_sides[1] + margins)
+        size_in_words(needed_sides[0] + margins, needed_sides[1] + margins)
     );
     Some(Refusal::new(key::press::PAPER, RefusalCode::SheetTooSmall, fault, remedy))
 }

@@ -177,11 +177,11 @@ fn realised(r: f64, phi: f64, band: f64) -> Realised {
 
 /// The tube's two edges, concave hinges and fillets at least `least_radius` round.
 fn edges(star: &Star, channel: Option<&Channel>, least_radius: f64) -> Result<[Path; 2], Refusal> {
-    let contour = |side| star.contour(side, 0.0, least_radius).unwrap_or_default();
-    let outer_edge = contour(Side::Outside);
+    let [hole_edge, outer_edge] =
+        [Side::Hole, Side::Outside].map(|side| star.contour(side, 0.0, least_radius).unwrap_or_default());
     let outer = match channel {
         Some(channel) => channel.open(star, &outer_edge, 0.0, least_radius, 0.0)?,
         None => outer_edge.path(),
     };
-    Ok([contour(Side::Hole).path(), outer])
+    Ok([hole_edge.path(), outer])
 }

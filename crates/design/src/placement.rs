@@ -73,14 +73,9 @@ impl FreeArea {
     /// The room on the sheet and the machine between the margins.
     fn new(sheet: &Sheet, machine: &Machine) -> Self {
         let area = machine.bench.work_area;
-        let side = |extent: Option<Length>, area: Option<Length>| {
-            // A sheet that has no extent of its own ends, with its margin, where the machine does.
-            let margins = if extent.is_some() { 1.0 } else { 2.0 } * sheet.margin.0;
-            on_sheet(extent, sheet).min(area.map_or(f64::INFINITY, |area| area.0 - margins))
-        };
         Self {
-            width: side(sheet.width, area.map(|(x, _)| x)),
-            height: side(sheet.height, area.map(|(_, y)| y)),
+            width: room_along(sheet.width, area.map(|(x, _)| x), sheet),
+            height: room_along(sheet.height, area.map(|(_, y)| y), sheet),
         }
     }
 
@@ -90,10 +85,10 @@ impl FreeArea {
 
     /// Whether the sheet or the machine is too small for one of `parts`; the refusal names the sides that all of them need.
     fn refuse(self, parts: &[Bounds], sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
-        let is_taken =
-            |part: &&Bounds| self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part));
-        let size = |part: &Bounds| Point::new(part.width(), part.height());
-        let oversized = parts.iter().filter(|part| !is_taken(part)).map(size);
+        let oversized = parts
+            .iter()
+            .filter(|part| !(self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part))))
+            .map(|part| Point::new(part.width(), part.height()));
         let Some(largest) = oversized.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
             return Ok(());
         };
@@ -166,10 +161,10 @@ impl<'a> Rows<'a> {
 
     fn end_sheet(&mut self) {
         // Whole tenths of a millimetre read well in a file and lose nothing.
-        let extent = |given: Option<Length>, used: f64| {
-            given.map_or_else(|| tenths_up(used + 2.0 * self.sheet.margin.0), |length| length.0)
-        };
-        let (width, height) = (extent(self.sheet.width, self.used.x), extent(self.sheet.height, self.used.y));
+        let sides = [(self.sheet.width, self.used.x), (self.sheet.height, self.used.y)];
+        let [width, height] = sides.map(|(side, used)| {
+            side.map_or_else(|| tenths_up(used + 2.0 * self.sheet.margin.0), |length| length.0)
+        });
         self.done.push(SheetLayout { index: self.done.len() + 1, width, height });
         (self.next, self.used, self.row_height, self.in_row) = (Point::ORIGIN, Point::ORIGIN, 0.0, 0);
     }
@@ -223,8 +218,15 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     Err(Refusal::new(*key, RefusalCode::SheetTooSmall, fault, remedy))
 }
 
+/// The room along one side of `sheet`, which is `extent` long, on a machine that reaches `area` along it.
+fn room_along(extent: Option<Length>, area: Option<Length>, sheet: &Sheet) -> f64 {
+    // A sheet that has no extent of its own ends, with its margin, where the machine does.
+    let margins = if extent.is_some() { 1.0 } else { 2.0 } * sheet.margin.0;
+    on_sheet(extent, sheet).min(area.map_or(f64::INFINITY, |area| area.0 - margins))
+}
+
 /// A width and a height, mm, in words.
-fn size_in_words(width: f64, height: f64) -> String {
+pub(super) fn size_in_words(width: f64, height: f64) -> String {
     format!("{} x {} mm", Readable(width), Readable(height))
 }
 

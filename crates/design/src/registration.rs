@@ -77,8 +77,7 @@ pub(super) fn sites(
         // The ear reaches at least a hole's radius into the flap, so that it hangs on firmly.
         (nearest, Some((2.0 * r).max(nearest - cut + r)))
     };
-    let tip = |k: u32| (k - 1) % star.n + 1;
-    let (neighbour, opposite) = (tip(first + 1), tip(first + 1 + star.n / 2));
+    let [neighbour, opposite] = [first, first + star.n / 2].map(|k| k % star.n + 1);
     let round = ear.unwrap_or(2.0 * r);
     let reach = libm::asin((round / radius).min(1.0));
     let turn = TURN.min(half - 1.1 * reach);
@@ -92,8 +91,8 @@ pub(super) fn sites(
             "make hole_diameter smaller, or \"0 mm\" for no registration holes",
         ));
     }
-    let site = |tip, turn| Site { tip, turn, radius, ear };
-    Ok([site(neighbour, 0.0), site(neighbour, turn), site(opposite, 0.0)])
+    let site = Site { tip: neighbour, turn: 0.0, radius, ear };
+    Ok([site, Site { turn, ..site }, Site { tip: opposite, ..site }])
 }
 
 /// The tip's arc `segment` with an ear around every hole of `sites` that needs one.

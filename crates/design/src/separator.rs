@@ -36,15 +36,14 @@ impl PaperSeparator {
         let Some(creep) = spec.paper_creep() else { return Ok(None) };
         let kerf = spec.cut.kerf.0;
         let key = if spec.press.is_some() { key::press::CREEP } else { key::mask::CREEP };
-        let paper_with = |creep: f64| air.separator(shape, creep);
-        let part =
-            paper_with(creep).ok_or_else(|| no_separator(key, creep, |creep| paper_with(creep).is_some()))?;
-        let lines = |paths: &[Path], line: fn(&Path, f64, &str) -> Result<Path, Refusal>, what: &str| {
-            paths.iter().map(|path| line(path, kerf, what)).collect::<Result<Vec<_>, _>>()
-        };
+        let part = air
+            .separator(shape, creep)
+            .ok_or_else(|| no_separator(key, creep, |creep| air.separator(shape, creep).is_some()))?;
+        let pieces = part.pieces.iter().map(|path| tool_around(path, kerf, "a separator"));
+        let windows = part.windows.iter().map(|path| tool_inside(path, kerf, "a window of a separator"));
         let tool = Separator {
-            pieces: lines(&part.pieces, tool_around, "a separator")?,
-            windows: lines(&part.windows, tool_inside, "a window of a separator")?,
+            pieces: pieces.collect::<Result<_, _>>()?,
+            windows: windows.collect::<Result<_, _>>()?,
         };
         let tongues = shape.cut.as_ref().map_or_else(Vec::new, |cut| air.tongues(cut));
         Ok(Some(Self { part, tool, kerf, tongues }))

@@ -107,9 +107,10 @@ impl Design {
     /// The pieces on sheet number `sheet`, beginning with the one nearest to the sheet's origin, then always the one
     /// nearest to the one before; of equals the lowest.
     pub fn nearest_first(&self, sheet: usize) -> Vec<&PlacedPart> {
-        let middle = |placed: &PlacedPart| placed.placement.point(self.part(placed).middle());
-        let mut remaining: Vec<(&PlacedPart, Point)> =
-            self.on_sheet(sheet).map(|placed| (placed, middle(placed))).collect();
+        let mut remaining: Vec<(&PlacedPart, Point)> = self
+            .on_sheet(sheet)
+            .map(|placed| (placed, placed.placement.point(self.part(placed).middle())))
+            .collect();
         let mut order = Vec::with_capacity(remaining.len());
         let mut position = Point::ORIGIN;
         while let Some(next) = (0..remaining.len())

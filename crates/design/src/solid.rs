@@ -1,7 +1,7 @@
 //! Solids: plates for a 3-D printer, without texts, and the picture that shows how the pieces of a mask belong together.
 
 use crate::{CutEdge, Drawing, Layer, Plate, Shape, StarAssembly, lettering};
-use geom::{Isometry, Path, Vec2};
+use geom::{Isometry, Vec2};
 
 /// Height of the numbers in the picture of all pieces, mm.
 const NUMBER: f64 = 12.0;
@@ -13,7 +13,6 @@ impl Drawing {
         let tile = part.tiles.tiles.get(piece)?;
         let motion = tile.motion(mirrored);
         let is_single = !part.tiles.are_several();
-        let place = |path: &Path| Shape::Path(motion.path(path));
         let windows = part.mask.windows.iter().filter(|_| tile.tip.is_none());
         let holes =
             part.outline.registration.iter().filter(|hole| is_single || tile.edge.encloses(hole.center));
@@ -21,8 +20,8 @@ impl Drawing {
             .map(|hole| Shape::Circle { center: motion.point(hole.center), radius: hole.diameter / 2.0 });
         Some(Self::around_axis(vec![
             (Layer::Registration, holes.collect()),
-            (Layer::MaskWindow, windows.map(place).collect()),
-            (Layer::MaskPlate, vec![place(&tile.edge)]),
+            (Layer::MaskWindow, windows.map(|window| Shape::moved_path(window, &motion)).collect()),
+            (Layer::MaskPlate, vec![Shape::moved_path(&tile.edge, &motion)]),
         ]))
     }
 

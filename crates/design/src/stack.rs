@@ -49,19 +49,20 @@ impl Stack {
     pub fn new(spec: &Spec) -> Result<Self, Refusals> {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
-        // Distance that one star requires from its middle to the middle of a plate.
-        let half_height = |i: usize| 0.5 * (inflated_height(spec.stars[i].tube_width).0 + thickness);
+        // Distance that each star requires from its middle to the middle of a plate.
+        let heights = spec.stars.iter().map(|star| inflated_height(star.tube_width).0);
+        let half_heights: Vec<f64> = heights.map(|height| 0.5 * (height + thickness)).collect();
         let mut refusals = Refusals::new();
         for i in 1..count {
             let pitch = spec.stars[i].pitch.0;
-            let needed_pitch = 2.0 * half_height(i - 1).max(half_height(i));
+            let needed_pitch = 2.0 * half_heights[i - 1].max(half_heights[i]);
             if pitch < needed_pitch {
                 refusals.push(too_tight(i, pitch, needed_pitch, thickness));
             }
         }
         refusals.or_value(())?;
-        let bottom = half_height(0).max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
-        let top = half_height(count - 1).max(spec.stars[count - 1].pitch.0 / 2.0);
+        let bottom = half_heights[0].max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
+        let top = half_heights[count - 1].max(spec.stars[count - 1].pitch.0 / 2.0);
         let mut height = thickness / 2.0;
         let (mut stars, mut turns, mut plates) = (Vec::new(), Vec::new(), vec![height]);
         let mut turn = 0.0;

@@ -29,16 +29,12 @@ impl Stand {
         let stack = Stack::new(spec).ok()?;
         let (low, high) = (*stack.stars.first()?, *stack.stars.last()?);
         let (middle, height) = (f64::midpoint(low, high), object.height().0);
-        let base = |middle: f64, high: f64| {
-            let base = 0.5 * height - middle;
-            if object.shape() == ObjectShape::Cylinder && high <= height { base.max(0.0) } else { base }
-        };
         let tubes = spec.stars.iter().map(|star| inflated_height(star.tube_width).0);
-        let base_height = base(middle, high);
+        let base_height = base(&object, middle, high);
         Some(Self {
             base: base_height,
             object: -base_height,
-            turned: base(stack.height - middle, stack.height - low),
+            turned: base(&object, stack.height - middle, stack.height - low),
             height,
             tube: tubes.fold(0.0, f64::max),
         })
@@ -64,6 +60,13 @@ impl Stand {
         }
         doubts
     }
+}
+
+/// The height of the base of the stack above that of `object`, if the stack's middle is at `middle` and its highest star at `high`.
+fn base(object: &Object, middle: f64, high: f64) -> f64 {
+    let height = object.height().0;
+    let base = 0.5 * height - middle;
+    if object.shape() == ObjectShape::Cylinder && high <= height { base.max(0.0) } else { base }
 }
 
 #[cfg(test)]

@@ -80,18 +80,15 @@ fn remedy(spec: &StarSpec, half: f64, first: Option<(KeyPath, String)>) -> (KeyP
 
 /// Every single change that would leave arms between bands of half width `half`, mm, each with its limit, at which it does.
 fn single_changes(spec: &StarSpec, half: f64) -> Vec<(KeyPath, String)> {
-    let fits = |change: &dyn Fn(&mut StarSpec)| {
-        let mut changed = spec.clone();
-        change(&mut changed);
-        has_arms(&changed, half)
-    };
-    let points = (3..spec.points).rev().find(|n| fits(&|star| star.points = *n));
+    let points = (3..spec.points).rev().find(|n| fits(spec, half, |star| star.points = *n));
     let straight = 180.0 - 360.0 / f64::from(spec.points) - 0.005;
-    let radius = smallest([spec.inner_radius.0, WIDEST], |mm| fits(&|star| star.inner_radius = Length(mm)));
-    let width = largest(spec.tube_width.0, |mm| fits(&|star| star.tube_width = Length(mm)));
-    let angle = smallest([spec.tip_angle.0, straight], |deg| fits(&|star| star.tip_angle = Angle(deg)));
-    let tip = largest(spec.tip_radius.0, |mm| fits(&|star| star.tip_radius = Length(mm)));
-    let corner = largest(spec.corner_radius.0, |mm| fits(&|star| star.corner_radius = Length(mm)));
+    let radius =
+        smallest([spec.inner_radius.0, WIDEST], |mm| fits(spec, half, |star| star.inner_radius = Length(mm)));
+    let width = largest(spec.tube_width.0, |mm| fits(spec, half, |star| star.tube_width = Length(mm)));
+    let angle =
+        smallest([spec.tip_angle.0, straight], |deg| fits(spec, half, |star| star.tip_angle = Angle(deg)));
+    let tip = largest(spec.tip_radius.0, |mm| fits(spec, half, |star| star.tip_radius = Length(mm)));
+    let corner = largest(spec.corner_radius.0, |mm| fits(spec, half, |star| star.corner_radius = Length(mm)));
     let upper_limit = |limit: f64| format!("below {} mm", Readable(limit));
     let changes = [
         (key::star::POINTS, points.map(|most| format!("at most {most}"))),
@@ -102,6 +99,13 @@ fn single_changes(spec: &StarSpec, half: f64) -> Vec<(KeyPath, String)> {
         (key::star::CORNER_RADIUS, corner.map(upper_limit)),
     ];
     changes.into_iter().filter_map(|(key, change)| Some((key, change?))).collect()
+}
+
+/// Whether `spec` with `change` has arms between bands of half width `half`, mm.
+fn fits(spec: &StarSpec, half: f64, change: impl FnOnce(&mut StarSpec)) -> bool {
+    let mut changed = spec.clone();
+    change(&mut changed);
+    has_arms(&changed, half)
 }
 
 /// The least hundredth above `from` that `fits`, where all larger ones up to `to` do; `None` if none does.
@@ -131,8 +135,10 @@ fn first_fitting(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Opt
 fn has_arms(spec: &StarSpec, half: f64) -> bool {
     let sector = 2.0 * PI / f64::from(spec.points);
     let (l, phi) = (arm_length(spec), spec.tip_angle.rad());
-    let arm_left = |radius: Length, phi: f64| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0);
-    let shortest = arm_left(spec.tip_radius, phi).min(arm_left(spec.corner_radius, phi + sector));
+    let ends = [(spec.tip_radius, phi), (spec.corner_radius, phi + sector)];
+    let [tip_end, corner_end] =
+        ends.map(|(radius, phi)| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0));
+    let shortest = tip_end.min(corner_end);
     phi + sector < PI - 1e-6 && l > 0.0 && shortest > 1e-9 * l
 }
 

@@ -2,7 +2,6 @@
 
 use crate::star_fault::{arms_for_band, blamed};
 use crate::{Channel, Part, Refusal, RefusalCode, Side, Star};
-use geom::Path;
 use sealed::{Role, Seam};
 use spec::units::{Least, Length, Most, Readable};
 use spec::{Seal, key};
@@ -25,13 +24,10 @@ pub(super) fn star_seam(
     if contour.arm <= 0.0 {
         return Err(band_eats_arm(star, side, seal.band));
     }
-    let seam = |center_line: Path, overlap: f64| {
-        let (name, role) = (side.loop_name().to_owned(), Role::Boundary);
-        Seam { name, role, center_line, overlap }
-    };
+    let (name, role) = (side.loop_name().to_owned(), Role::Boundary);
     if let (Side::Outside, Some(channel)) = (side, channel) {
         let center_line = channel.open(star, &contour, half_band, 0.0, MOUTH_OVERRUN)?;
-        return Ok(seam(center_line, 0.0));
+        return Ok(Seam { name, role, center_line, overlap: 0.0 });
     }
     // Opposite arms, so that neither start lies near the other's closure.
     let arm = if side == Side::Hole { 1 } else { star.n + 1 };
@@ -44,7 +40,7 @@ pub(super) fn star_seam(
         let remedy = format!("overlap must be at most half the loop, {} mm", Most(length / 2.0));
         return Err(Refusal::new(key::seal::OVERLAP, RefusalCode::LongOverlap, fault, remedy));
     }
-    Ok(seam(center_line, overlap))
+    Ok(Seam { name, role, center_line, overlap })
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {

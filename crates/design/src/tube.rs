@@ -11,12 +11,6 @@ pub fn round_tube(flat: f64) -> f64 {
 /// Height of a tube whose flat width is `flat`, and that is `inflated` wide as seen from above: its section is an ellipse with the
 /// fabric's length; 0 where it is as wide as flat.
 pub fn tube_height(flat: f64, inflated: f64) -> f64 {
-    let perimeter = |height: f64| {
-        // Ramanujan's second, good to 1e-4 for the flattest ellipse and to 1e-9 for those of tubes.
-        let (a, b) = (inflated / 2.0, height / 2.0);
-        let h = ((a - b) / (a + b)).powi(2);
-        PI * (a + b) * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()))
-    };
     if inflated >= flat {
         return 0.0;
     }
@@ -24,9 +18,16 @@ pub fn tube_height(flat: f64, inflated: f64) -> f64 {
     let (mut low, mut high) = (0.0, flat);
     for _ in 0..60 {
         let middle = f64::midpoint(low, high);
-        if perimeter(middle) < 2.0 * flat { low = middle } else { high = middle }
+        if perimeter(inflated, middle) < 2.0 * flat { low = middle } else { high = middle }
     }
     low
+}
+
+/// The length around an ellipse, by Ramanujan's second formula: good to 1e-4 for the flattest and to 1e-9 for those of tubes.
+fn perimeter(width: f64, height: f64) -> f64 {
+    let (a, b) = (width / 2.0, height / 2.0);
+    let h = ((a - b) / (a + b)).powi(2);
+    PI * (a + b) * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()))
 }
 
 #[cfg(test)]

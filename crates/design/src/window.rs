@@ -119,16 +119,13 @@ impl<'a> Zone<'a> {
         push(&mut side, cut.inner, cut.outer);
         push(&mut side, cut.outer, self.point(cut.angles[1], hole, 0.0));
         let center = Point::new(self.star.d_p, 0.0);
-        let arc = |radius: f64, from: f64, to: f64| -> Segment {
-            Arc::new(center, radius, PI - from, from - to).into()
-        };
         let mirror = Isometry::mirror();
         let back: Vec<Segment> = side.iter().rev().map(|s| mirror.segment(&s.reversed())).collect();
         let mut segments = side;
-        segments.push(arc(hole, cut.angles[1], -cut.angles[1]));
+        segments.push(Arc::new(center, hole, PI - cut.angles[1], 2.0 * cut.angles[1]).into());
         segments.extend(back);
         if !cut.meets && round > 0.0 {
-            segments.push(arc(round, -cut.angles[0], cut.angles[0]));
+            segments.push(Arc::new(center, round, PI + cut.angles[0], -2.0 * cut.angles[0]).into());
         }
         Ok(Path::closed(segments))
     }
@@ -144,19 +141,12 @@ impl<'a> Zone<'a> {
         let (a, x) = if extent < grip * h { (extent / grip, 0.0) } else { (h, extent - grip * h) };
         let c = x - self.creep;
         let straight = a == h && c >= 0.0;
-        // The crossing of the cut with a circle around P; straight on beyond the hinge.
-        let on_circle = |radius: f64| -> Option<(f64, f64)> {
-            if straight {
-                return Some((radius, h));
-            }
-            let square = radius * radius - c * c;
-            (square >= 0.0).then(|| (square.sqrt(), a + libm::asin(c / radius)))
-        };
-        let (top, hole_angle) = on_circle(hole)?;
+        let (top, hole_angle) = on_circle(hole, a, c, straight)?;
         // The crossing of the cut with the corner's ray.
         let axis = -c / libm::tan(a);
         let round = self.star.r_e - self.delta_o;
-        let outer = if round > 0.0 { on_circle(round) } else { straight.then_some((round, h)) };
+        let outer =
+            if round > 0.0 { on_circle(round, a, c, straight) } else { straight.then_some((round, h)) };
         let outer = outer.filter(|(rho, _)| *rho > axis);
         let bottom = outer.map_or(axis, |(rho, _)| rho);
         if hole_angle <= 0.0 || bottom >= top {
@@ -200,4 +190,14 @@ fn push(segments: &mut Vec<Segment>, a: Point, b: Point) {
     if a.distance(b) > 1e-9 {
         segments.push(Line::new(a, b).into());
     }
+}
+
+/// The crossing of the cut at angle `a`, moved by `c`, with the circle of `radius` around P, as its radius and angle; straight on beyond the
+/// hinge.
+fn on_circle(radius: f64, a: f64, c: f64, straight: bool) -> Option<(f64, f64)> {
+    if straight {
+        return Some((radius, a));
+    }
+    let square = radius * radius - c * c;
+    (square >= 0.0).then(|| (square.sqrt(), a + libm::asin(c / radius)))
 }

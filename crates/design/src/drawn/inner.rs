@@ -9,7 +9,6 @@ const LEAST_JOIN: f64 = 1e-3;
 pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
     let join = join.max(LEAST_JOIN);
     let enclosures = Enclosures::new(loops);
-    let is_in = |p: Point| enclosures.enclosing(p).len() % 2 == 1;
     let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
     for segment in reaching(path, loops, join) {
         let hits = loops
@@ -19,7 +18,7 @@ pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
         cuts.sort_by(f64::total_cmp);
         for cut in cuts.windows(2).filter(|cut| (cut[1] - cut[0]) * segment.length() > 1e-6) {
             let part = segment.part(cut[0], cut[1]);
-            if !is_in(part.point(0.5)) {
+            if enclosures.enclosing(part.point(0.5)).len() % 2 == 0 {
                 runs.push(Vec::new());
             } else if let Some(last) = runs.last_mut() {
                 last.push(part);
@@ -46,24 +45,29 @@ fn reaching(path: &Path, loops: &[Path], join: f64) -> Vec<Segment> {
 pub(super) fn share_a_band(air: &[Path], band: f64) -> bool {
     let limit = 3.0 * band + 1e-3;
     let regions: Vec<Enclosures> = air.iter().map(|edge| Enclosures::new([edge])).collect();
-    let is_in = |inner: usize, outer: usize| {
-        let place = air[inner].start();
-        inner != outer && place.is_some_and(|place| !regions[outer].enclosing(place).is_empty())
-    };
     let count = air.len();
-    let is_island: Vec<bool> =
-        (0..count).map(|edge| (0..count).filter(|outer| is_in(edge, *outer)).count() % 2 == 1).collect();
-    // Fabric lies between two chambers, and between an island and a chamber in it.
-    let parted_by_fabric = |a: usize, b: usize| match (is_island[a], is_island[b]) {
-        (false, false) => true,
-        (true, false) => is_in(b, a),
-        (false, true) => is_in(a, b),
-        (true, true) => false,
-    };
+    let is_island: Vec<bool> = (0..count)
+        .map(|edge| (0..count).filter(|outer| is_within(air, &regions, edge, *outer)).count() % 2 == 1)
+        .collect();
     (0..count).any(|a| {
         (0..a).any(|b| {
-            let boxes = air[a].bounds().outset(limit).overlaps(&air[b].bounds());
-            boxes && parted_by_fabric(a, b) && path_distance(&air[a], &air[b]) <= limit
+            if !air[a].bounds().outset(limit).overlaps(&air[b].bounds()) {
+                return false;
+            }
+            // Fabric lies between two chambers, and between an island and a chamber in it.
+            let parted_by_fabric = match (is_island[a], is_island[b]) {
+                (false, false) => true,
+                (true, false) => is_within(air, &regions, b, a),
+                (false, true) => is_within(air, &regions, a, b),
+                (true, true) => false,
+            };
+            parted_by_fabric && path_distance(&air[a], &air[b]) <= limit
         })
     })
+}
+
+/// Whether the edge `inner` of `air` begins within the region of another edge, `outer`.
+fn is_within(air: &[Path], regions: &[Enclosures], inner: usize, outer: usize) -> bool {
+    let start = air[inner].start();
+    inner != outer && start.is_some_and(|start| !regions[outer].enclosing(start).is_empty())
 }

@@ -96,15 +96,19 @@ impl FlapRoom<'_> {
     }
 
     fn is_free(&self, glyphs: &[Glyph], margin: f64) -> bool {
-        let off_holes =
-            |p: Point| self.holes.iter().all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin);
-        let off_texts = |p: Point| self.taken.iter().all(|bounds| !bounds.contains(p));
-        let free = |p: Point| self.room.is_free(p, margin, margin) && off_holes(p) && off_texts(p);
-        let ends = |strokes: &[Path]| {
-            strokes.iter().flat_map(|path| &path.segments).all(|line| free(line.start()) && free(line.end()))
-        };
         // The middles first: most places fail there.
-        glyphs.iter().all(|(middle, _)| free(*middle)) && glyphs.iter().all(|(_, strokes)| ends(strokes))
+        let mut lines = glyphs.iter().flat_map(|(_, strokes)| strokes).flat_map(|path| &path.segments);
+        glyphs.iter().all(|(middle, _)| self.is_point_free(*middle, margin))
+            && lines.all(|line| {
+                self.is_point_free(line.start(), margin) && self.is_point_free(line.end(), margin)
+            })
+    }
+
+    /// Whether `p` lies in the room, and off holes and other texts.
+    fn is_point_free(&self, p: Point, margin: f64) -> bool {
+        self.room.is_free(p, margin, margin)
+            && self.holes.iter().all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin)
+            && self.taken.iter().all(|bounds| !bounds.contains(p))
     }
 }
 

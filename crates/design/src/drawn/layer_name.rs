@@ -11,42 +11,37 @@ use spec::LayerRole;
 /// The name of each element of `drawing`, in the order of the elements.
 pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str> {
     let shared = Shared::new(drawing);
-    let elements = || drawing.elements.iter();
-    let telling: Vec<Option<&str>> = elements()
+    let elements = &drawing.elements;
+    let telling: Vec<Option<&str>> = elements
+        .iter()
         .map(|element| if is_dxf { own_layer(element) } else { shared.telling(groups(element)) })
         .collect();
-    let colours: BTreeSet<Option<&str>> = elements().map(colour_of).collect();
+    let colours: BTreeSet<Option<&str>> = elements.iter().map(colour_of).collect();
     let by_colour = colours.len() > 1 && telling.windows(2).all(|pair| pair[0] == pair[1]);
     let is_grouped = telling.iter().any(Option::is_some);
-    let of_groups: BTreeSet<&str> = elements()
+    let group_colours: BTreeSet<&str> = elements
+        .iter()
         .zip(&telling)
         .filter(|(_, name)| name.is_some())
         .filter_map(|(e, _)| colour_of(e))
         .collect();
-    let is_role = |name: &&str| word_role(name).is_some_and(|role| role != LayerRole::Ignore);
-    let name = |element: &'_ Element, telling: Option<&str>| -> Option<usize> {
-        let place = |name: &str| element.layers.iter().position(|known| known == name);
+    let names = elements.iter().zip(telling).map(|(element, telling)| {
         let colour = colour_of(element);
         if let Some(name) = colour.filter(|_| by_colour).or(telling) {
-            return place(name);
-        }
-        let outer_names = || shared.enclosing_names(groups(element));
-        let own_names = || element.layers[..element.own_names].iter().map(String::as_str);
-        let (own_word, around_word) = (own_names().find(is_role), outer_names().find(is_role));
-        let best = if is_grouped {
+            Some(name)
+        } else if is_grouped {
             // Names of inner levels come first, so the colour must not be one that grouped elements have.
-            let free = colour.filter(|colour| !of_groups.contains(colour));
-            around_word.or(free).or(outer_names().last()).or(own_word)
+            let free_colour = colour.filter(|colour| !group_colours.contains(colour));
+            shared.name_in_groups(element, free_colour)
         } else {
-            own_word.or(around_word).or(outer_names().next()).or(colour)
-        };
-        best.and_then(place)
+            shared.name_without_groups(element, colour)
+        }
+    });
+    let layer = |(element, name): (&'a Element, Option<&str>)| {
+        let listed = name.and_then(|name| element.layers.iter().find(|layer| *layer == name));
+        listed.or(element.layers.first()).map_or(element.id.as_str(), String::as_str)
     };
-    let layer = |(element, telling): (&'a Element, Option<&str>)| {
-        let index = name(element, telling).unwrap_or(0);
-        element.layers.get(index).map_or(element.id.as_str(), String::as_str)
-    };
-    elements().zip(telling).map(layer).collect()
+    elements.iter().zip(names).map(layer).collect()
 }
 
 /// The layer on which an entity of a DXF lies itself.
@@ -57,6 +52,11 @@ pub(super) fn own_layer(element: &Element) -> Option<&str> {
 /// The names of the groups around an element, outermost first.
 fn groups(element: &Element) -> impl Iterator<Item = &str> {
     element.layers.iter().skip(element.own_names).rev().map(String::as_str)
+}
+
+/// Whether `name` is the word of a role other than to be ignored.
+fn has_role(name: &&str) -> bool {
+    word_role(name).is_some_and(|role| role != LayerRole::Ignore)
 }
 
 /// The names of groups that tell nothing apart.
@@ -93,5 +93,25 @@ impl<'a> Shared<'a> {
     /// The names that all elements have, without those of the root.
     fn enclosing_names<'n>(&self, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'n str> {
         names.filter(|name| self.all.contains(name) && !self.root.iter().any(|root| root == name))
+    }
+
+    /// The name of an element where no group tells elements apart: an own one with the word of a role comes first.
+    fn name_without_groups<'n>(&self, element: &'n Element, colour: Option<&'n str>) -> Option<&'n str> {
+        let mut own_names = element.layers[..element.own_names].iter().map(String::as_str);
+        let own_word = own_names.find(has_role);
+        own_word
+            .or_else(|| self.enclosing_names(groups(element)).find(has_role))
+            .or_else(|| self.enclosing_names(groups(element)).next())
+            .or(colour)
+    }
+
+    /// The name of an element outside the groups that tell elements apart: one around everything with the word of a role comes first.
+    fn name_in_groups<'n>(&self, element: &'n Element, free_colour: Option<&'n str>) -> Option<&'n str> {
+        let mut own_names = element.layers[..element.own_names].iter().map(String::as_str);
+        let outer_word = self.enclosing_names(groups(element)).find(has_role);
+        outer_word
+            .or(free_colour)
+            .or_else(|| self.enclosing_names(groups(element)).last())
+            .or_else(|| own_names.find(has_role))
     }
 }

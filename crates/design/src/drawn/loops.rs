@@ -60,14 +60,12 @@ fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
 
 /// The only other end that meets each end; `None` where there is none or more than one.
 fn partners(ends: &[Point]) -> Vec<Option<usize>> {
-    #[expect(clippy::cast_possible_truncation, reason = "coordinates are at most a kilometre")]
-    let cell = |p: &Point| [(p.x / MEETS).floor() as i64, (p.y / MEETS).floor() as i64];
     let mut cells: BTreeMap<[i64; 2], Vec<usize>> = BTreeMap::new();
     for (number, end) in ends.iter().enumerate() {
-        cells.entry(cell(end)).or_default().push(number);
+        cells.entry(cell(*end)).or_default().push(number);
     }
     let nearest_end = |number: usize| -> Option<usize> {
-        let [x, y] = cell(&ends[number]);
+        let [x, y] = cell(ends[number]);
         let cells_nearby = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));
         let candidates = cells_nearby.filter_map(|cell| cells.get(&cell)).flatten().copied();
         let mut meeting =
@@ -77,4 +75,10 @@ fn partners(ends: &[Point]) -> Vec<Option<usize>> {
     let nearest: Vec<Option<usize>> = (0..ends.len()).map(nearest_end).collect();
     let is_mutual = |number: usize| nearest[number].filter(|other| nearest[*other] == Some(number));
     (0..ends.len()).map(is_mutual).collect()
+}
+
+/// The cell of a grid with cells as large as [`MEETS`] in which `p` lies.
+#[expect(clippy::cast_possible_truncation, reason = "coordinates are at most a kilometre")]
+fn cell(p: Point) -> [i64; 2] {
+    [(p.x / MEETS).floor() as i64, (p.y / MEETS).floor() as i64]
 }

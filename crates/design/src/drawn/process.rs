@@ -45,21 +45,27 @@ impl<'a> SeamProcesses<'a> {
                 .map(|element| (process_entry(self.spec, element), element))
                 .collect(),
         };
-        let of_entry =
-            |entry: Option<usize>| entry.map_or(DEFAULT_PROCESS, |entry| &self.spec.processes[entry].1);
-        let mut names: Vec<&str> = entries.keys().map(|entry| of_entry(*entry)).collect();
+        let mut names: Vec<&str> = entries.keys().map(|entry| self.process_name(*entry)).collect();
         names.dedup();
         if names.iter().any(|name| *name != names[0]) {
             return Err(two_processes(
                 seam,
-                &entries.iter().map(|(entry, element)| (of_entry(*entry), *element)).collect::<Vec<_>>(),
+                &entries
+                    .iter()
+                    .map(|(entry, element)| (self.process_name(*entry), *element))
+                    .collect::<Vec<_>>(),
             ));
         }
         let deciding: Vec<usize> = by_name.into_iter().chain(entries.into_keys().flatten()).collect();
         for entry in &deciding {
             self.is_used[*entry] = true;
         }
-        Ok(of_entry(deciding.first().copied()).to_owned())
+        Ok(self.process_name(deciding.first().copied()).to_owned())
+    }
+
+    /// The process of an entry of the spec; the default one without an entry.
+    fn process_name(&self, entry: Option<usize>) -> &str {
+        entry.map_or(DEFAULT_PROCESS, |entry| &self.spec.processes[entry].1)
     }
 
     /// The elements along which `seam` is drawn.
@@ -122,8 +128,8 @@ impl<'a> SeamProcesses<'a> {
         } else {
             format!("the drawing has nothing called {name:?}, which process {process} is to seal")
         };
-        let names = || self.drawing.elements.iter().flat_map(Element::names).chain(seams.iter().copied());
-        let remedy = match nearest(name, names()).filter(|_| !is_drawn) {
+        let names = self.drawing.elements.iter().flat_map(Element::names).chain(seams.iter().copied());
+        let remedy = match nearest(name, names).filter(|_| !is_drawn) {
             Some(near) => format!("did you mean {near:?}?"),
             None => format!(
                 "name a layer or an element with the role air or seam, one of these roles, or a seam: {}",
@@ -136,9 +142,13 @@ impl<'a> SeamProcesses<'a> {
 
 /// The position of the entry in `spec` that gives `element` a process: that of its innermost name, else of its role.
 pub(super) fn process_entry(spec: &DrawingSpec, element: &Element) -> Option<usize> {
-    let position = |name: &str| spec.processes.iter().position(|(entry, _)| entry == name);
-    let of_role = || position(spec.role(element.names())?.word());
-    element.names().find_map(position).or_else(of_role)
+    let by_role = || entry_position(spec, spec.role(element.names())?.word());
+    element.names().find_map(|name| entry_position(spec, name)).or_else(by_role)
+}
+
+/// The position of the entry for `name` in `spec`.
+fn entry_position(spec: &DrawingSpec, name: &str) -> Option<usize> {
+    spec.processes.iter().position(|(entry, _)| entry == name)
 }
 
 /// The refusal of a seam whose elements have different processes.

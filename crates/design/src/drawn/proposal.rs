@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::drawn::layer_name::{Shared, layer_names};
 use crate::drawn::loops::rings;
 use crate::drawn::words::{is_page, is_valve, word_role};
-use artwork::{Artwork, Figure, Place, Weight};
+use artwork::{Artwork, Element, Figure, Place, Weight};
 use geom::{Bounds, BoxIndex, Enclosures, Path, Point, path_distance};
 use spec::LayerRole;
 use spec::units::count_text;
@@ -69,20 +69,23 @@ pub(super) fn proposed(drawing: &Artwork, is_dxf: bool) -> Vec<RoleRow> {
 /// Width and height of all figures of `drawing` whose role in `rows` is not to be ignored, mm; of all figures if none has one.
 pub(super) fn size(drawing: &Artwork, rows: &[RoleRow]) -> [f64; 2] {
     let roles: BTreeMap<&str, LayerRole> = rows.iter().map(|row| (row.0.as_str(), row.1)).collect();
-    let bounds = |counts: &dyn Fn(Option<&LayerRole>) -> bool| {
-        let elements = drawing
-            .elements
-            .iter()
-            .filter(|element| counts(element.names().find_map(|name| roles.get(name))));
-        let paths = elements.filter_map(|element| match &element.figure {
-            Figure::Path(path) => Some(path),
-            Figure::Point(_) => None,
-        });
-        paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union)
-    };
-    let with_role = bounds(&|role| role != Some(&LayerRole::Ignore));
-    let area = if with_role.width() < 0.0 { bounds(&|_| true) } else { with_role };
+    let elements = drawing.elements.iter();
+    let with_role = bounds(
+        elements
+            .clone()
+            .filter(|element| element.names().find_map(|name| roles.get(name)) != Some(&LayerRole::Ignore)),
+    );
+    let area = if with_role.width() < 0.0 { bounds(elements) } else { with_role };
     [area.width(), area.height()].map(|length| length.max(0.0))
+}
+
+/// The bounds of all paths among `elements`.
+fn bounds<'a>(elements: impl Iterator<Item = &'a Element>) -> Bounds {
+    let paths = elements.filter_map(|element| match &element.figure {
+        Figure::Path(path) => Some(path),
+        Figure::Point(_) => None,
+    });
+    paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union)
 }
 
 /// The layers in the order of the file.
@@ -118,8 +121,7 @@ fn suited(
         return (LayerRole::Valve, format!("by its name, in the face of a chamber; {figures}"));
     }
     let named = word_role(layer.name).or(page).filter(|role| !is_alone || *role != LayerRole::Ignore);
-    let figure = |number: &usize| &drawing.elements[*number].figure;
-    let is_point = |number: &usize| matches!(figure(number), Figure::Point(_));
+    let is_point = |number: &usize| matches!(drawing.elements[*number].figure, Figure::Point(_));
     match named {
         Some(LayerRole::Hole | LayerRole::Cut | LayerRole::Seam | LayerRole::Air)
             if layer.elements.iter().all(is_point) =>
@@ -130,7 +132,11 @@ fn suited(
         None if layer.name == "fill #ffffff" && !is_alone => {
             (LayerRole::Ignore, format!("a white background; {figures}"))
         }
-        None if layer.elements.iter().all(|number| edges.is_port(*number, figure(number))) => {
+        None if layer
+            .elements
+            .iter()
+            .all(|number| edges.is_port(*number, &drawing.elements[*number].figure)) =>
+        {
             (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
         }
         None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
@@ -145,11 +151,9 @@ fn suited(
 /// closed curves.
 fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, edges: &EdgePaths) {
     let order = [LayerRole::Cut, LayerRole::Port, LayerRole::Hole, LayerRole::Ignore];
-    let is_closed = |place: usize, role: LayerRole, rows: &[RoleRow]| {
-        rows[place].1 == role && layers[place].closed > 0 && layers[place].name != "fill #ffffff"
-    };
-    let best_role =
-        order.into_iter().find(|role| (0..layers.len()).any(|place| is_closed(place, *role, rows)));
+    let best_role = order
+        .into_iter()
+        .find(|role| layers.iter().zip(rows.iter()).any(|(layer, row)| has_closed_curves(layer, row, *role)));
     let Some(best_role) = best_role else { return };
     for place in 0..layers.len() {
         let is_inside = |number: &usize| {
@@ -160,13 +164,18 @@ fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, e
             start.is_some_and(|start| !edges.enclosures.enclosing(start).is_empty())
         };
         let is_hole_in_air = best_role == LayerRole::Cut
-            && is_closed(place, LayerRole::Hole, rows)
+            && has_closed_curves(&layers[place], &rows[place], LayerRole::Hole)
             && layers[place].elements.iter().any(is_inside);
-        if is_closed(place, best_role, rows) || is_hole_in_air {
+        if has_closed_curves(&layers[place], &rows[place], best_role) || is_hole_in_air {
             rows[place].1 = LayerRole::Air;
             rows[place].2 = format!("closed curves, and no other layer has edges of air; {}", rows[place].2);
         }
     }
+}
+
+/// Whether `layer`, whose row is `row`, has closed curves other than a white background, and `role`.
+fn has_closed_curves(layer: &DrawnLayer<'_>, row: &RoleRow, role: LayerRole) -> bool {
+    row.1 == role && layer.closed > 0 && layer.name != "fill #ffffff"
 }
 
 /// Short lines across an edge on layers of curves, as ports by their own names.
@@ -181,12 +190,12 @@ fn single_marks(
     let elements =
         of_curves.flat_map(|(layer, _)| &layer.elements).map(|number| (*number, &drawing.elements[*number]));
     let marks = elements.filter(|(number, element)| edges.is_mark(*number, &element.figure));
-    let reason = |layer: &str| format!("a short line across an edge, among the figures of {layer:?}");
     marks
         .map(|(number, element)| {
             let layer =
                 layers.iter().find(|layer| layer.elements.contains(&number)).map_or("", |layer| layer.name);
-            (element.id.clone(), LayerRole::Port, reason(layer))
+            let reason = format!("a short line across an edge, among the figures of {layer:?}");
+            (element.id.clone(), LayerRole::Port, reason)
         })
         .collect()
 }
@@ -258,8 +267,8 @@ impl EdgePaths {
             Figure::Point(at) => self.is_at_edge(*at, reach),
             Figure::Path(path) => {
                 let is_speck = path.length() < SPECK.min(MARK_OF_ALL * self.size);
-                let is_beside = || path.start().is_some_and(|start| self.near_others(number, start, reach));
-                self.crosses(path) || is_speck && is_beside()
+                self.crosses(path)
+                    || is_speck && path.start().is_some_and(|start| self.near_others(number, start, reach))
             }
         }
     }
@@ -301,8 +310,7 @@ impl EdgePaths {
     fn crosses(&self, path: &Path) -> bool {
         let ends =
             path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= self.longest_mark());
-        let number = |point| self.enclosures.enclosing(point).len();
-        ends.is_some_and(|(a, b)| number(a) != number(b))
+        ends.is_some_and(|(a, b)| self.enclosures.enclosing(a).len() != self.enclosures.enclosing(b).len())
     }
 }
 
@@ -326,8 +334,8 @@ impl LeftOut {
 
     /// The layers with figures of which none can be read.
     pub(super) fn unread(drawing: &Artwork, is_dxf: bool) -> Vec<Self> {
-        let is_unread = |weight| matches!(weight, Weight::Lost | Weight::Annotation);
-        let notes = drawing.notes.iter().filter(|note| is_unread(note.weight));
+        let notes =
+            drawing.notes.iter().filter(|note| matches!(note.weight, Weight::Lost | Weight::Annotation));
         let of_notes = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
         let mut unread = Self::new(drawing, is_dxf, of_notes);
         let of_faults = drawing.faults.iter().map(|fault| (&fault.place, fault.text.as_str()));
