@@ -145,15 +145,7 @@ fn list_files(
         programs(spec, dialect, design, kind, &mut outputs);
     }
     for sheet in &design.sheets {
-        let part = OutputPart::Sheet(sheet.index);
-        let mut kinds = Parts::Sheets.kinds();
-        kinds.retain(|kind| is_of_spec(spec, *kind) && is_taken(*kind, dialect));
-        let ngc = |kind: Kind| kind.format() == Format::Gcode && program_ending(dialect) == NGC;
-        outputs.extend(kinds.iter().map(|kind| Output { part, ngc: ngc(*kind), ..Output::new(*kind) }));
-        if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
-            let outlines = kinds.iter().filter(|kind| kind.subject() == Subject::Outline);
-            outputs.extend(outlines.map(|kind| Output { part, valves: true, ..Output::new(*kind) }));
-        }
+        of_sheet(spec, dialect, design, sheet.index, &mut outputs);
     }
     if let Some(assembly) = design.assembly() {
         of_assembly(spec, assembly, &mut outputs);
@@ -194,20 +186,39 @@ fn list_files(
     outputs.into_iter().flat_map(on_paper).collect()
 }
 
+/// Drawings of one sheet, and templates for its valves.
+fn of_sheet(spec: &Spec, dialect: Dialect, design: &Design, sheet: usize, outputs: &mut Vec<Output>) {
+    let part = OutputPart::Sheet(sheet);
+    let mut kinds = Parts::Sheets.kinds();
+    kinds.retain(|kind| is_of_spec(spec, *kind) && is_taken(*kind, dialect));
+    outputs.extend(kinds.iter().map(|kind| {
+        let ngc = kind.format() == Format::Gcode && program_ending(dialect) == NGC;
+        Output { part, ngc, ..Output::new(*kind) }
+    }));
+    if design.on_sheet(sheet).any(|placed| !design.part(placed).shape().valves.is_empty()) {
+        let outlines = kinds.iter().filter(|kind| kind.subject() == Subject::Outline);
+        outputs.extend(outlines.map(|kind| Output { part, valves: true, ..Output::new(*kind) }));
+    }
+}
+
 /// The programs of one kind: one a sheet, or one a star or piece.
 fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, outputs: &mut Vec<Output>) {
-    let of_part = |part| Output { part, ngc: program_ending(dialect) == NGC, ..Output::new(kind) };
+    let program = Output { ngc: program_ending(dialect) == NGC, ..Output::new(kind) };
     match (spec.machine.program, design.assembly()) {
         (ProgramScope::Sheet, _) => {
-            outputs.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
+            let parts = design.sheets.iter().map(|sheet| OutputPart::Sheet(sheet.index));
+            outputs.extend(parts.map(|part| Output { part, ..program }));
         }
         (ProgramScope::Piece, Some(assembly)) => {
-            let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
-            outputs.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
+            let stars = assembly.stars.iter();
+            let parts = stars.map(|star| OutputPart::Star { star: star.index, sheet: Some(star.sheet) });
+            outputs.extend(parts.map(|part| Output { part, ..program }));
         }
         (ProgramScope::Piece, None) => {
-            let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
-            outputs.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
+            let pieces = design.placed().iter();
+            let parts =
+                pieces.map(|placed| OutputPart::Piece { piece: placed.index, sheet: Some(placed.sheet) });
+            outputs.extend(parts.map(|part| Output { part, ..program }));
         }
     }
 }

@@ -61,29 +61,28 @@ impl Judge for IronJudge<'_> {
         if phase == Phase::Clear {
             return;
         }
-        let mut blame = |code: FindingCode, found: String, allowed: String| {
-            findings.add_at(code, step.line, found, allowed);
-        };
         match step.heated {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
             // A tool of 0 C is cold.
             None if seal.temperature.0 <= 0.0 => {}
-            found => blame(
+            heated => findings.add_at(
                 FindingCode::ColdSeal,
-                found.map_or("an unheated iron".to_owned(), |t| format!("{t} C")),
+                step.line,
+                heated.map_or("an unheated iron".to_owned(), |t| format!("{t} C")),
                 seal.temperature.to_string(),
             ),
         }
         if step.kind == MoveKind::Rapid {
             let (fault, allowed) = ("G0 below travel height", "G1, G2 or G3 at seal speed");
-            blame(FindingCode::RapidInContact, fault.to_owned(), allowed.to_owned());
+            findings.add_at(FindingCode::RapidInContact, step.line, fault, allowed);
         }
         if step.path.is_none() {
             let (fault, allowed) = ("a vertical move below travel height", "a ramp along the path");
-            blame(FindingCode::Plunge, fault.to_owned(), allowed.to_owned());
+            findings.add_at(FindingCode::Plunge, step.line, fault, allowed);
         }
         if step.from.z.min(step.to.z) < contact - HEIGHT {
-            blame(FindingCode::TooDeep, format!("Z{}", step.to.z), format!("Z{contact} or above"));
+            let (fault, allowed) = (format!("Z{}", step.to.z), format!("Z{contact} or above"));
+            findings.add_at(FindingCode::TooDeep, step.line, fault, allowed);
         }
     }
 }

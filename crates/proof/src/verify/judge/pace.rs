@@ -153,8 +153,8 @@ impl<'a> Paced<'a> {
         // One run alone may be early or late by a dwell's step.
         let tolerance_of_stroke = MEAN * (due - stop.0) + quantum + 0.015;
         let lateness = if stopped { 0.0 } else { self.unfinished(feed) };
-        let is_on_schedule = |error: f64, most: f64| -most <= error && error <= most + lateness;
-        if !(is_on_schedule(error, allowed) && is_on_schedule(error - stop.1, tolerance_of_stroke)) {
+        let errors = [(error, allowed), (error - stop.1, tolerance_of_stroke)];
+        if !errors.iter().all(|(error, most)| -most <= *error && *error <= most + lateness) {
             let fault = format!("{error:+.3} s off the schedule of {speed} mm/s");
             findings.add_at(FindingCode::WrongFeed, step.line, fault, format!("{allowed:.3} s"));
             self.schedule = Schedule::default();
@@ -199,13 +199,10 @@ impl Judge for Paced<'_> {
 /// that of a displacement.
 fn lowest_along(path: &Segment, rise: f64, lowest_of: impl Fn([f64; 3]) -> Option<f64>) -> Option<f64> {
     let length = path.length();
-    let lowest_at = |t: f64| {
-        let u = path.tangent(t);
-        lowest_of([u.x * length, u.y * length, rise])
-    };
     let places = if matches!(path, Segment::Line(_)) { 0 } else { 16 };
     (0..=places)
-        .map(|i| lowest_at(f64::from(i) / 16.0))
+        .map(|i| path.tangent(f64::from(i) / 16.0))
+        .map(|tangent| lowest_of([tangent.x * length, tangent.y * length, rise]))
         .try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
 }
 

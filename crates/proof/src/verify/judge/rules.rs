@@ -37,6 +37,12 @@ pub struct ContactRule {
     pub cool: f64,
 }
 
+impl ContactRule {
+    fn new(seal: &Seal, cool: f64, process: &Process) -> Self {
+        Self { seal: seal.clone(), height: seal.contact(process).0, cool }
+    }
+}
+
 /// The phase of the iron, from its heights.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Phase {
@@ -91,13 +97,9 @@ impl<'a> IronRules<'a> {
     /// The rules for programs of `spec` on `machine` that make the contacts of `job`.
     pub fn new(spec: &'a Spec, machine: &'a Machine, job: &SealJob) -> Self {
         let process = &machine.process;
-        let rule = |seal: &Seal, cool: f64| ContactRule {
-            seal: seal.clone(),
-            height: seal.contact(process).0,
-            cool,
-        };
         let contact = |(contact, index)| {
-            rule(&job.process(contact).seal, job.cool_after(index).map_or(0.0, |cool| cool.0))
+            let cool = job.cool_after(index).map_or(0.0, |cool| cool.0);
+            ContactRule::new(&job.process(contact).seal, cool, process)
         };
         Self {
             process,
@@ -106,7 +108,7 @@ impl<'a> IronRules<'a> {
             chops: spec.machine.feed_floor == FeedFloor::Chop,
             timed: true,
             contacts: job.contacts.iter().zip(0..).map(contact).collect(),
-            default: rule(&spec.seal, 0.0),
+            default: ContactRule::new(&spec.seal, 0.0, process),
         }
     }
 

@@ -197,17 +197,17 @@ impl Judge for Body {
             Event::Setting | Event::Service(_) => Some(None),
             _ => None,
         });
-        let pending = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
         if line.is_motion() {
             // What stood before the first motion is the head.
             self.judge_pending(self.moved, findings);
             self.moved = true;
         }
         for heat in heats {
+            let pending = PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
             if line.is_motion() || self.pending.len() >= PENDING {
-                self.judge(&pending(heat), true, findings);
+                self.judge(&pending, true, findings);
             } else {
-                self.pending.push(pending(heat));
+                self.pending.push(pending);
             }
         }
     }

@@ -43,9 +43,9 @@ fn walk(seam: &LaidSeam) -> SeamWalk {
 
 /// The way down, the run, the way up.
 fn walks(seam: &LaidSeam) -> [SeamWalk; 3] {
-    let ramp =
-        |path: &Path, what: &str| SeamWalk::new(path, format!("{what} the {}", seam.name), path.length());
-    [ramp(&seam.lead_in, "way down to"), walk(seam), ramp(&seam.lead_out, "way up from")]
+    let [way_down, way_up] = [(&seam.lead_in, "way down to"), (&seam.lead_out, "way up from")]
+        .map(|(path, title)| SeamWalk::new(path, format!("{title} the {}", seam.name), path.length()));
+    [way_down, walk(seam), way_up]
 }
 
 /// Every seam is there, in order, from its start to its end, overlap and ramps included.

@@ -22,9 +22,9 @@ impl StrokeRun {
     /// The run with one more move from `from` to `to`, of this length, mm.
     pub(super) fn and(self, motion: &Motion, from: [f64; 3], to: [f64; 3], length: f64) -> Self {
         let scale = motion.steps_per_mm.unwrap_or([1.0; 3]);
-        let steps_of = |mm: f64, axis: usize| (mm * scale[axis]).round();
-        let joined: [f64; 3] =
-            std::array::from_fn(|i| self.joined[i] + steps_of(to[i], i) - steps_of(from[i], i));
+        let joined: [f64; 3] = std::array::from_fn(|i| {
+            self.joined[i] + (to[i] * scale[i]).round() - (from[i] * scale[i]).round()
+        });
         let largest = joined.into_iter().map(f64::abs).fold(0.0, f64::max);
         let is_short = motion.steps_per_mm.is_some() && largest < motion.min_move_steps;
         let run = Self { joined, is_short, length: self.length + length, ..self };

@@ -53,25 +53,21 @@ impl TravelOrder {
         tolerance: f64,
     ) -> Self {
         let (park, travel) = (heights.park.0, heights.travel.0);
-        let home = |x| Waypoint::Rapid([x, x, Some(park)]);
+        let up = Waypoint::Rapid([None, None, Some(park)]);
+        let home = Waypoint::Rapid([Some(0.0), Some(0.0), Some(park)]);
         let mut position = [None, None, Some(park)];
         let mut waypoints = vec![Waypoint::Rapid(position)];
         for mark in marks {
-            let over_mark = |height: f64| Waypoint::Rapid([Some(mark.x), Some(mark.y), Some(height)]);
-            waypoints.extend([
-                over_mark(park),
-                over_mark(travel),
-                Waypoint::Comment("mark"),
-                over_mark(park),
-            ]);
+            let [high, low] = [park, travel].map(|z| Waypoint::Rapid([Some(mark.x), Some(mark.y), Some(z)]));
+            waypoints.extend([high, low, Waypoint::Comment("mark"), high]);
         }
         if !marks.is_empty() {
-            waypoints.push(home(Some(0.0)));
+            waypoints.push(home);
         }
         for (Leg { start, stop, cools }, i) in legs.into_iter().zip(0..) {
             if i > 0 && !stop.is_empty() {
                 // The end of the last path is checked by the path's judge.
-                waypoints.extend([home(None), home(Some(0.0))]);
+                waypoints.extend([up, home]);
                 position[2] = Some(park);
             }
             waypoints.extend(stop.into_iter().map(Waypoint::Comment));
@@ -85,7 +81,7 @@ impl TravelOrder {
                 waypoints.push(Waypoint::Comment("cool"));
             }
         }
-        waypoints.extend([home(None), home(Some(0.0))]);
+        waypoints.extend([up, home]);
         Self { waypoints, passed: 0, tolerance, on_path: false }
     }
 
@@ -94,15 +90,12 @@ impl TravelOrder {
         let (Waypoint::Rapid(place), Waypoint::Rapid(expected_place)) = (waypoint, expected) else {
             return waypoint == expected;
         };
-        let is_near = |slack: f64| {
-            move |(place, expected_place): (&Option<f64>, &Option<f64>)| {
-                expected_place.is_none_or(|expected_place| {
-                    place.is_some_and(|place| (place - expected_place).abs() <= slack)
-                })
-            }
-        };
-        place[..2].iter().zip(&expected_place[..2]).all(is_near(self.tolerance))
-            && is_near(HEIGHT)((&place[2], &expected_place[2]))
+        let slacks = [self.tolerance, self.tolerance, HEIGHT];
+        (0..3).all(|axis| {
+            expected_place[axis].is_none_or(|expected_place| {
+                place[axis].is_some_and(|place| (place - expected_place).abs() <= slacks[axis])
+            })
+        })
     }
 
     /// The next waypoint, as it was found.
@@ -126,8 +119,8 @@ impl TravelOrder {
 
     /// A later place in the order; the way up from the last path fits too many moves to be identified.
     fn later_place(&self, waypoint: &Waypoint) -> Option<usize> {
-        let fits = |expected: &Waypoint| !is_vague(expected) && self.is(waypoint, expected);
-        (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
+        (self.passed..self.waypoints.len())
+            .find(|i| !is_vague(&self.waypoints[*i]) && self.is(waypoint, &self.waypoints[*i]))
     }
 }
 

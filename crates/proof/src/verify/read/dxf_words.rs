@@ -95,12 +95,12 @@ impl<'a> Tags<'a> {
 
     /// The next tag, which must have this group code.
     fn take(&mut self, code: &str, allowed: &str) -> Result<Tag<'a>, Finding> {
-        let expectation = || format!("{code} {allowed}");
         match self.next()? {
             Some(tag) if tag.code == code => Ok(tag),
-            Some(tag) => Err(wrong(&tag, &expectation())),
+            Some(tag) => Err(wrong(&tag, &format!("{code} {allowed}"))),
             None => {
-                Err(Finding::in_line(FindingCode::Truncated, self.line, "the end of the file", expectation()))
+                let allowed = format!("{code} {allowed}");
+                Err(Finding::in_line(FindingCode::Truncated, self.line, "the end of the file", allowed))
             }
         }
     }

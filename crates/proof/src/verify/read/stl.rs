@@ -30,15 +30,17 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, Soli
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
         return None;
     }
-    let corner = |raw: &[u8], at: usize| -> Option<[f32; 3]> {
-        Some([read_number(raw, at)?, read_number(raw, at + 4)?, read_number(raw, at + 8)?])
-    };
-    let facet = |raw: &[u8]| Some([corner(raw, 12)?, corner(raw, 24)?, corner(raw, 36)?]);
-    let raw = || bytes[HEAD..].chunks_exact(FACET);
-    let facets: Option<Vec<StlFacet>> = raw().map(facet).collect();
-    let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
-    let plain = raw().all(|raw| raw[48..] == [0, 0]);
+    let facet = |raw: &[u8]| Some([read_corner(raw, 12)?, read_corner(raw, 24)?, read_corner(raw, 36)?]);
+    let mut records = bytes[HEAD..].chunks_exact(FACET);
+    let facets: Option<Vec<StlFacet>> = records.clone().map(facet).collect();
+    let normals: Option<Vec<[f32; 3]>> = records.clone().map(|raw| read_corner(raw, 0)).collect();
+    let plain = records.all(|raw| raw[48..] == [0, 0]);
     Some((facets?, SolidNotes { normals: normals?, head: bytes[..80].to_vec(), plain }))
+}
+
+/// Three numbers from the byte `place` of a facet on.
+fn read_corner(raw: &[u8], place: usize) -> Option<[f32; 3]> {
+    Some([read_number(raw, place)?, read_number(raw, place + 4)?, read_number(raw, place + 8)?])
 }
 
 fn read_number(raw: &[u8], place: usize) -> Option<f32> {

@@ -77,10 +77,10 @@ impl SvgReader {
 
     /// Checks the scale; returns the height in user units (0 if there is none).
     fn page(&mut self, root: Node<'_, '_>) -> f64 {
-        let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
+        let [width, height] = ["width", "height"]
+            .map(|name| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value));
         let view = root.attribute("viewBox").and_then(|view| numbers_in(view, |c| matches!(c, ' ' | ',')));
-        let (Some(width), Some(height), Some(&[left_edge, top, w, h])) =
-            (mm("width"), mm("height"), view.as_deref())
+        let (Some(width), Some(height), Some(&[left_edge, top, w, h])) = (width, height, view.as_deref())
         else {
             let attributes =
                 ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));

@@ -122,8 +122,9 @@ impl<'a> PathScan<'a> {
 
     /// The `value` of a number's `text`, with the path read on from its `rest`; `None` is a value beyond the limit.
     fn pass(&mut self, rest: &'a str, text: &str, value: Option<f64>) -> Result<f64, Finding> {
-        let allowed = || format!("at most {}", number::LARGEST);
-        let value = value.ok_or_else(|| Finding::new(FindingCode::BadNumber, quote(text), allowed()))?;
+        let value = value.ok_or_else(|| {
+            Finding::new(FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST))
+        })?;
         self.rest = rest;
         self.skip(true);
         Ok(value)

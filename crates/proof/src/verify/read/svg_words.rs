@@ -151,11 +151,10 @@ impl WordReader<'_> {
                 self.refuse(node, &format!("{attribute_name}={} on <{name}>", quote(value)), &allowed);
             }
         }
-        let is_present = |name: &str| match name.strip_prefix("inkscape:") {
-            Some(name) => node.has_attribute((INKSCAPE, name)),
-            None => node.has_attribute(name),
-        };
-        let missing = attributes.iter().find(|(name, _)| !is_present(name));
+        let missing = attributes.iter().find(|(name, _)| match name.strip_prefix("inkscape:") {
+            Some(name) => !node.has_attribute((INKSCAPE, name)),
+            None => !node.has_attribute(*name),
+        });
         if let Some((missing, _)) = missing {
             self.refuse(node, &format!("<{name}> without {missing}"), &format!("with {missing}"));
         }

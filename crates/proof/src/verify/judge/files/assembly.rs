@@ -9,7 +9,7 @@ use crate::artifact::Output;
 use crate::verify::judge::files::solid::{CHORD, foot};
 use crate::verify::judge::path::measure::Prepared;
 use crate::verify::{Finding, FindingCode, StlFacet};
-use design::{Design, StarDesign};
+use design::{Circle, Design, StarDesign};
 use geom::{Isometry, Line, Point};
 
 /// Largest gap between two pieces, mm: the play that lets them go together.
@@ -72,9 +72,9 @@ impl<'a> MeshPart<'a> {
         let motion = star.tiles.tiles.get(piece.checked_sub(1)?)?.motion(mirrored);
         // A mirror image that is turned is its own way back.
         let back = if mirrored { motion } else { Isometry::rotation(-motion.rotation) };
-        let point_of = |corner: [f64; 3]| back.point(Point::new(corner[0], corner[1]));
         let feet = facets.iter().filter_map(foot).filter(|[a, _]| a[2] == 0.0);
-        let edges = feet.map(|[a, b]| Line::new(point_of(a), point_of(b))).collect();
+        let ends = feet.map(|foot| foot.map(|corner| back.point(Point::new(corner[0], corner[1]))));
+        let edges = ends.map(|[start, end]| Line::new(start, end)).collect();
         let bottom = facets.iter().map(|facet| facet.map(|corner| corner.map(f64::from)));
         let bottom = bottom.filter(|facet| facet.iter().all(|corner| corner[2] == 0.0));
         let area = |[a, b, c]: [[f64; 3]; 3]| {
@@ -93,17 +93,10 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let mask = &star.mask;
     let plate = Prepared::prepare_all(std::iter::once(&mask.plate).chain(&mask.windows));
     let holes = &star.outline.registration;
-    let off_plate = |p: Point| {
-        let rims = holes.iter().map(|hole| (hole.center.distance(p) - hole.diameter / 2.0).abs());
-        let least_distance = |best: f64, target: &Prepared| {
-            if target.bounds.distance(p) < best { best.min(target.distance(p)) } else { best }
-        };
-        plate.iter().fold(rims.fold(f64::INFINITY, f64::min), least_distance)
-    };
     let (mut on_plate, mut joints): (f64, Vec<(usize, Line)>) = (0.0, Vec::new());
     for (i, part) in parts.iter().enumerate() {
         for edge in &part.edges {
-            if off_plate(edge.start.midpoint(edge.end)) <= CHORD {
+            if plate_distance(edge.start.midpoint(edge.end), &plate, holes) <= CHORD {
                 on_plate += edge.length();
             } else {
                 joints.push((i, *edge));
@@ -134,16 +127,25 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
         + holes.iter().map(|hole| std::f64::consts::PI * hole.diameter).sum::<f64>();
     let (area, right) = (parts.iter().map(|part| part.area).sum::<f64>(), mask.area(&star.outline));
     let file = parts.first().map_or("", |part| part.file);
-    let mut wrong = |found: String, allowed: String| {
-        findings.push(Finding::new(FindingCode::WrongJoint, found, allowed).in_file(file));
-    };
     if (on_plate - length).abs() > 0.01 * length {
         let problem = format!("{on_plate:.1} mm of the plate's edges on all pieces");
-        wrong(problem, format!("{length:.1} mm"));
+        let allowed = format!("{length:.1} mm");
+        findings.push(Finding::new(FindingCode::WrongJoint, problem, allowed).in_file(file));
     }
     let slack = (SHARE * right).max(gaps);
     if (area - right).abs() > slack {
-        wrong(format!("{area:.1} mm2 on all pieces"), format!("{right:.1} mm2 within {slack:.1}"));
+        let problem = format!("{area:.1} mm2 on all pieces");
+        let allowed = format!("{right:.1} mm2 within {slack:.1}");
+        findings.push(Finding::new(FindingCode::WrongJoint, problem, allowed).in_file(file));
     }
     findings
+}
+
+/// Distance of `p` from the nearest edge of the plate and from the rims of its `holes`.
+fn plate_distance(p: Point, plate: &[Prepared], holes: &[Circle]) -> f64 {
+    let rims = holes.iter().map(|hole| (hole.center.distance(p) - hole.diameter / 2.0).abs());
+    let least_distance = |best: f64, target: &Prepared| {
+        if target.bounds.distance(p) < best { best.min(target.distance(p)) } else { best }
+    };
+    plate.iter().fold(rims.fold(f64::INFINITY, f64::min), least_distance)
 }

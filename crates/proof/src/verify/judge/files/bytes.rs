@@ -38,29 +38,32 @@ pub fn mark_equal(name: &str, right: &[u8], files: &OutputFiles<'_>, proof: &mut
 /// The first difference of `actual` from `right`.
 pub fn first_difference(actual: &[u8], right: &[u8]) -> Finding {
     let place = actual.iter().zip(right).take_while(|(a, b)| a == b).count();
-    let line_of = |bytes: &[u8]| {
-        let start = bytes[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
-        // A long line is cut to the part where it differs.
-        let start = start.max(place.saturating_sub(30));
-        let rest = &bytes[start..];
-        let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
-        String::from_utf8_lossy(&rest[..end]).into_owned()
-    };
     let is_text = [actual, right].iter().all(|bytes| std::str::from_utf8(bytes).is_ok());
     if !right.contains(&b'\r') && actual.iter().filter(|byte| **byte != b'\r').eq(right) {
         return Finding::new(FindingCode::Differs, "carriage returns (CR)", "none: nothing else differs");
     }
     if !is_text {
-        let byte_text =
-            |bytes: &[u8]| bytes.get(place).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
-        let place = format!("{} at byte {place}", byte_text(actual));
-        return Finding::new(FindingCode::Differs, place, byte_text(right));
+        let fault = format!("{} at byte {place}", byte_text(actual, place));
+        return Finding::new(FindingCode::Differs, fault, byte_text(right, place));
     }
     let line = actual[..place].split(|byte| *byte == b'\n').count();
-    let line_text = |bytes: &[u8]| {
-        if place >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
-    };
-    Finding::in_line(FindingCode::Differs, line, line_text(actual), line_text(right))
+    Finding::in_line(FindingCode::Differs, line, line_text(actual, place), line_text(right, place))
+}
+
+/// The byte at `place`, for a message.
+fn byte_text(bytes: &[u8], place: usize) -> String {
+    bytes.get(place).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"))
+}
+
+/// The line around `place`, for a message. A long line is cut to the part from 30 bytes before `place` on.
+fn line_text(bytes: &[u8], place: usize) -> String {
+    if place >= bytes.len() {
+        return "the end of the file".to_owned();
+    }
+    let start = bytes[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+    let rest = &bytes[start.max(place.saturating_sub(30))..];
+    let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
+    quote(&String::from_utf8_lossy(&rest[..end]))
 }
 
 #[cfg(test)]

@@ -39,17 +39,21 @@ pub(super) fn read_page(
     findings.extend(std::mem::take(&mut drawing.findings));
     check_page(&drawing, exact, findings);
     // Extents are written with as many decimals as coordinates.
-    let is_near =
-        |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() <= tolerance && (b - d).abs() <= tolerance;
-    let size = (exact.width, exact.height);
-    if !drawing.page.is_some_and(|page| is_near(page, size))
-        || !drawing.corner.is_some_and(|at| is_near(at, corner))
-    {
-        let page_text = |((w, h), (x, y)): ((f64, f64), (f64, f64))| format!("{w} x {h} mm from ({x}, {y})");
-        let fault = drawing.page.zip(drawing.corner).map_or("no page".to_owned(), page_text);
-        findings.add(FindingCode::WrongSize, fault, page_text((size, corner)));
+    let page = drawing.page.zip(drawing.corner);
+    let is_right = page.is_some_and(|((width, height), (x, y))| {
+        let errors = [width - exact.width, height - exact.height, x - corner.0, y - corner.1];
+        errors.iter().all(|error| error.abs() <= tolerance)
+    });
+    if !is_right {
+        let fault = page.map_or("no page".to_owned(), |(size, corner)| page_text(size, corner));
+        findings.add(FindingCode::WrongSize, fault, page_text((exact.width, exact.height), corner));
     }
     drawing
+}
+
+/// The size and the corner of a page, mm, for a message.
+fn page_text((width, height): (f64, f64), (x, y): (f64, f64)) -> String {
+    format!("{width} x {height} mm from ({x}, {y})")
 }
 
 /// The layers of a drawing with their look.
@@ -254,8 +258,7 @@ pub(super) fn paths_of(shape: &Shape) -> Vec<Path> {
     match shape {
         Shape::Path(path) => vec![path.clone()],
         Shape::Circle { center, radius } => {
-            let half = |from: f64| Arc::new(*center, *radius, from, PI).into();
-            vec![Path::closed(vec![half(0.0), half(PI)])]
+            vec![Path::closed([0.0, PI].map(|start| Arc::new(*center, *radius, start, PI).into()).to_vec())]
         }
         Shape::Figure(paths) => paths.clone(),
     }
@@ -287,8 +290,9 @@ impl Seals {
         for (i, DrawnCurves { sheet, file, layers }) in self.0.iter().enumerate() {
             let Some(first) = self.0[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
             let DrawnCurves { file: other, layers: other_layers, .. } = first;
-            let is_faulty = |file: &str| proven.iter().any(|finding| finding.file == file);
-            if is_faulty(other) && !is_faulty(file) {
+            let [is_other_faulty, is_faulty] =
+                [other, file].map(|file| proven.iter().any(|finding| finding.file == *file));
+            if is_other_faulty && !is_faulty {
                 continue;
             }
             for (layer, count, length) in layers {

@@ -66,24 +66,26 @@ fn named<'a>(
     let mut entries = Entries::new();
     let mut twice: BTreeSet<&str> = BTreeSet::new();
     for entry in &manifest.files {
-        let mut blame = |found: &str, allowed: String| {
-            findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(&entry.path));
-        };
         match expected_names.get(&entry.path) {
-            None => blame("named in the manifest", "only files of the design".to_owned()),
+            None => findings.push(entry_fault(entry, "named in the manifest", "only files of the design")),
             Some(output) if entry.output() != **output => {
-                blame("named as another part or kind", format!("the {}", output.kind));
+                let allowed = format!("the {}", output.kind);
+                findings.push(entry_fault(entry, "named as another part or kind", &allowed));
             }
             _ => {}
         }
         if entries.contains_key(entry.path.as_str()) {
             // Said once, however often it is repeated.
             if twice.insert(&entry.path) {
-                blame("named more than once", "named once".to_owned());
+                findings.push(entry_fault(entry, "named more than once", "named once"));
             }
         } else {
             let _ = entries.insert(entry.path.as_str(), entry);
         }
     }
     entries
+}
+
+fn entry_fault(entry: &ManifestFile, fault: &str, allowed: &str) -> Finding {
+    Finding::new(FindingCode::Manifest, fault, allowed).in_file(&entry.path)
 }

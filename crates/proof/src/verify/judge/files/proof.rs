@@ -118,16 +118,7 @@ fn file(
         // All other files are compared with the directory's own drawing. Pictures, scenes and pages are proven by their bytes:
         // see `pipeline`.
         (Subject::Drawing, _) | (_, Format::Png | Format::Glb | Format::Pdf) => return (Method::Hash, None),
-        (_, Format::Stl) => {
-            let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
-            let name = output.solid_name(&expected.spec.name);
-            let Some((name, thickness)) = name.zip(output.thickness(expected.spec)) else {
-                return (Method::Hash, None);
-            };
-            let (facets, deviation) = solid::check(bytes, &drawing, &name, thickness, findings);
-            cross.pieces.add(output, facets);
-            return (Method::Reading, Some(deviation));
-        }
+        (_, Format::Stl) => return solid(expected, output, bytes, cross, findings),
         (
             _,
             Format::Toml
@@ -155,58 +146,106 @@ fn file(
             prediction(expected, text, findings);
             (Method::Reading, None)
         }
-        (subject @ (Subject::Seal | Subject::Trace), Format::Gcode | Format::Package) => {
-            let parts = (expected.spec, expected.machine, expected.design);
-            let work = if subject == Subject::Seal { ProgramWork::Seal } else { ProgramWork::Trace };
-            let sheet = output.part.sheet().unwrap_or(0);
-            let task = ProgramTask::of_pieces(parts, work, sheet, output.part.sealed());
-            (Method::Reading, task.map(|task| task.check(text, findings)))
+        (Subject::Seal, Format::Gcode | Format::Package) => {
+            sealing_program(expected, output, ProgramWork::Seal, text, findings)
         }
-        (Subject::Cut, Format::Gcode | Format::Package) => {
-            let Some(process) = expected.spec.cut.program else { return (Method::Hash, None) };
-            let cut_spec = expected.spec.cut_by(&process);
-            let sheet = output.part.sheet().unwrap_or(0);
-            let task = ProgramTask::of_cut(&cut_spec, expected.machine, expected.design, process.tool, sheet);
-            (Method::Reading, task.map(|task| task.check(text, findings)))
+        (Subject::Trace, Format::Gcode | Format::Package) => {
+            sealing_program(expected, output, ProgramWork::Trace, text, findings)
         }
+        (Subject::Cut, Format::Gcode | Format::Package) => cut_program(expected, output, text, findings),
         // Every subject is named, so that a new one must be given its method of proof.
         (
-            subject @ (Subject::Seal
+            Subject::Seal
             | Subject::Trace
             | Subject::Cut
             | Subject::Outline
             | Subject::Mask
             | Subject::Pieces
             | Subject::Frame
-            | Subject::Separator),
-            format,
-        ) => {
-            let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
-            let tolerance = expected.spec.accuracy.path.0;
-            let title = output.title(&expected.spec.name);
-            let read_drawing = match format {
-                Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
-                Format::Toml
-                | Format::Gcode
-                | Format::Package
-                | Format::Dxf
-                | Format::Pdf
-                | Format::Stl
-                | Format::Json
-                | Format::Png
-                | Format::Glb
-                | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
-            };
-            let deviation = drawings::compare(&read_drawing, &exact, tolerance, findings);
-            if let Some(paper) = output.part.paper() {
-                welded::check(expected, &read_drawing, paper, findings);
-            }
-            if let (Subject::Seal, Some(sheet)) = (subject, output.part.sheet()) {
-                cross.seals.add(sheet, &output.name(), &read_drawing);
-            }
-            (Method::Reading, Some(deviation))
-        }
+            | Subject::Separator,
+            _,
+        ) => drawing(expected, output, text, cross, findings),
     }
+}
+
+/// Reads a solid and compares it.
+fn solid(
+    expected: &Expected<'_>,
+    output: &Output,
+    bytes: &[u8],
+    cross: &mut CrossChecks,
+    findings: &mut Findings,
+) -> (Method, Option<f64>) {
+    let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
+    let name = output.solid_name(&expected.spec.name);
+    let Some((name, thickness)) = name.zip(output.thickness(expected.spec)) else {
+        return (Method::Hash, None);
+    };
+    let (facets, deviation) = solid::check(bytes, &drawing, &name, thickness, findings);
+    cross.pieces.add(output, facets);
+    (Method::Reading, Some(deviation))
+}
+
+/// Reads a program that seals or traces, and compares it.
+fn sealing_program(
+    expected: &Expected<'_>,
+    output: &Output,
+    work: ProgramWork,
+    text: &str,
+    findings: &mut Findings,
+) -> (Method, Option<f64>) {
+    let parts = (expected.spec, expected.machine, expected.design);
+    let sheet = output.part.sheet().unwrap_or(0);
+    let task = ProgramTask::of_pieces(parts, work, sheet, output.part.sealed());
+    (Method::Reading, task.map(|task| task.check(text, findings)))
+}
+
+/// Reads a program that cuts, and compares it.
+fn cut_program(
+    expected: &Expected<'_>,
+    output: &Output,
+    text: &str,
+    findings: &mut Findings,
+) -> (Method, Option<f64>) {
+    let Some(process) = expected.spec.cut.program else { return (Method::Hash, None) };
+    let cut_spec = expected.spec.cut_by(&process);
+    let sheet = output.part.sheet().unwrap_or(0);
+    let task = ProgramTask::of_cut(&cut_spec, expected.machine, expected.design, process.tool, sheet);
+    (Method::Reading, task.map(|task| task.check(text, findings)))
+}
+
+/// Reads a drawing and compares it.
+fn drawing(
+    expected: &Expected<'_>,
+    output: &Output,
+    text: &str,
+    cross: &mut CrossChecks,
+    findings: &mut Findings,
+) -> (Method, Option<f64>) {
+    let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
+    let tolerance = expected.spec.accuracy.path.0;
+    let title = output.title(&expected.spec.name);
+    let read_drawing = match output.kind.format() {
+        Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
+        Format::Toml
+        | Format::Gcode
+        | Format::Package
+        | Format::Dxf
+        | Format::Pdf
+        | Format::Stl
+        | Format::Json
+        | Format::Png
+        | Format::Glb
+        | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
+    };
+    let deviation = drawings::compare(&read_drawing, &exact, tolerance, findings);
+    if let Some(paper) = output.part.paper() {
+        welded::check(expected, &read_drawing, paper, findings);
+    }
+    if let (Subject::Seal, Some(sheet)) = (output.kind.subject(), output.part.sheet()) {
+        cross.seals.add(sheet, &output.name(), &read_drawing);
+    }
+    (Method::Reading, Some(deviation))
 }
 
 /// The text of a file, or the program in a package; `None`, with a finding, if there is none.
@@ -225,8 +264,9 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
         return;
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
-    let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
-    if !numbers(text).zip(numbers(right)).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
+    let [numbers, right_numbers] =
+        [text, right].map(|text| serde_json::from_str::<serde_json::Value>(text).ok());
+    if !numbers.zip(right_numbers).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
         let problem = "other numbers than this spec gives";
         findings.add(FindingCode::Prediction, problem, "the prediction of the same spec");
     }

@@ -100,13 +100,15 @@ fn normal_of(facet: &StlFacet, thickness: f64) -> ([f64; 3], f64) {
         // A face may have triangles with corners in line.
         return ([0.0, 0.0, if a[2] > thickness / 2.0 { 1.0 } else { -1.0 }], NORMAL);
     }
-    let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
-    let (u, v) = (side(b), side(c));
+    let [u, v] = [b, c].map(|to| [to[0] - a[0], to[1] - a[1], to[2] - a[2]]);
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = |v: [f64; 3]| libm::hypot(libm::hypot(v[0], v[1]), v[2]);
     // The corners are rounded; a short side is turned further by that.
     let slack = NORMAL + (1e-4 + 4.0 * single(&[*facet])) * length(u).max(length(v)) / length(cross);
     (cross.map(|x| x / length(cross)), slack)
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    libm::hypot(libm::hypot(v[0], v[1]), v[2])
 }
 
 /// The error of single precision at the largest coordinate, mm.
@@ -132,11 +134,11 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
     let edges_of = |[a, b, c]: &[u32; 3]| [edge_key(*a, *b), edge_key(*b, *c), edge_key(*c, *a)];
     let mut edges: Vec<u64> = corners.iter().flat_map(edges_of).collect();
     edges.sort_unstable();
-    let paired = |uses: &[u64]| matches!(uses, [back, forth] if back & 1 == 0 && forth & 1 == 1);
     let (mut open, mut total) = (0_usize, 0_usize);
     for uses in edges.chunk_by(|a, b| a >> 1 == b >> 1) {
+        let are_paired = matches!(uses, [back, forth] if back & 1 == 0 && forth & 1 == 1);
         total += 1;
-        open += usize::from(!paired(uses));
+        open += usize::from(!are_paired);
     }
     if open > 0 || total == 0 {
         let problem = format!("{open} of {total} edges");

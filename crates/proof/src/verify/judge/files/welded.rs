@@ -121,13 +121,14 @@ fn welded_air(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let lines = shape.seams.iter().flat_map(|seam| seam.center_line.segments.clone());
     let lines = SegmentIndex::new(lines.collect());
     let reach = shape.band / 2.0 + area.gap + OFF;
-    let is_clear = |p: Point| !lines.has_within(p, reach - 1e-6);
     let seam_probes = shape.seams.iter().flat_map(|seam| probes(&seam.center_line));
     seam_probes
         .filter(|(p, _)| is_in_piece(*p, cut.as_ref()))
         .find(|(p, left)| {
             let sides = [*p + *left * reach, *p - *left * reach];
-            let are_telling = sides.iter().all(|side| is_clear(*side) && is_in_piece(*side, cut.as_ref()));
+            let are_telling = sides
+                .iter()
+                .all(|side| !lines.has_within(*side, reach - 1e-6) && is_in_piece(*side, cut.as_ref()));
             are_telling && !sides.iter().any(|side| area.covers(*side))
         })
         .map(|(p, _)| p)
@@ -136,9 +137,10 @@ fn welded_air(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
 /// A place of the cut, farther from every port than half of its width, where paper lies.
 fn stray_paper(shape: &SealedShape, area: &PaperArea) -> Option<Point> {
     let cut = shape.cut.as_ref()?;
-    let is_port =
-        |p: Point| shape.ports.iter().any(|port| port.at.distance(p) < port.width / 2.0 + shape.band);
     // Just inside: tongues end on the cut.
     let inner_point = |(p, left): (Point, Vec2)| p + left * (if cut.area() > 0.0 { OFF } else { -OFF });
-    probes(cut).map(inner_point).find(|p| area.covers(*p) && !is_port(*p))
+    probes(cut).map(inner_point).find(|p| {
+        let mut ports = shape.ports.iter();
+        area.covers(*p) && !ports.any(|port| port.at.distance(*p) < port.width / 2.0 + shape.band)
+    })
 }

@@ -49,7 +49,6 @@ pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
     let (from_file, from_exact) = (Prepared::prepare_all(file), Prepared::prepare_all(exact));
     let forth = directed(&from_file, &from_exact);
     let back = directed(&from_exact, &from_file);
-    let closed = |paths: &[Path]| paths.iter().filter(|path| is_closed(path)).count();
     Deviation {
         file_to_exact: forth.distance,
         exact_to_file: back.distance,
@@ -58,8 +57,8 @@ pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
         exact_length: exact.iter().map(Path::length).sum(),
         file_count: file.len(),
         exact_count: exact.len(),
-        file_closed: closed(file),
-        exact_closed: closed(exact),
+        file_closed: file.iter().filter(|path| is_closed(path)).count(),
+        exact_closed: exact.iter().filter(|path| is_closed(path)).count(),
         largest_gap: file.iter().map(Path::largest_gap).fold(0.0, f64::max),
     }
 }
@@ -105,14 +104,14 @@ fn by_halves(
     }
     // Where halving does not reduce the targets (many copies of one line), it ends early.
     let rest = halvings.saturating_sub(if candidates.len() < total { 1 } else { 4 });
-    let half = |a: f64, b: f64| Prepared::new(probe.segment.part(a, b));
-    let first = by_pieces(&half(0.0, 0.5), candidates, rest, scratch);
-    first.max(by_pieces(&half(0.5, 1.0), candidates, rest, scratch))
+    let halves = [(0.0, 0.5), (0.5, 1.0)].map(|(start, end)| Prepared::new(probe.segment.part(start, end)));
+    let [first, second] = halves.map(|half| by_pieces(&half, candidates, rest, scratch));
+    first.max(second)
 }
 
 fn is_closed(path: &Path) -> bool {
-    let ends_meet = || path.start().zip(path.end()).is_some_and(|(a, b)| a.distance(b) <= JOIN);
-    !path.segments.is_empty() && (path.closed || ends_meet())
+    let ends_meet = path.start().zip(path.end()).is_some_and(|(a, b)| a.distance(b) <= JOIN);
+    !path.segments.is_empty() && (path.closed || ends_meet)
 }
 
 #[cfg(test)]

@@ -185,23 +185,8 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
     targets: &[T],
     scratch: &mut Vec<f64>,
 ) -> Farthest {
-    let nearest = |t: f64| {
-        let p = probe.point(t);
-        let (mut best, mut index) = (f64::INFINITY, 0);
-        for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
-            // The box pays only where there are several targets.
-            if targets.len() > 2 && target.bounds.distance(p) > best {
-                continue;
-            }
-            let distance = target.distance(p);
-            if distance < best {
-                (best, index) = (distance, i);
-            }
-        }
-        (Farthest { distance: best, at: p }, index)
-    };
-    let (first, first_index) = nearest(0.0);
-    let (last, last_index) = nearest(1.0);
+    let (first, first_index) = nearest_target(probe, targets, 0.0);
+    let (last, last_index) = nearest_target(probe, targets, 1.0);
     let mut worst = first.max(last);
     scratch.clear();
     // Distance grows at most as fast as the way along the probe: farther targets are nowhere the nearest.
@@ -216,12 +201,32 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
     let mut before = Sample { t: 0.0, index: first_index, distance: first.distance };
     for i in 0..=scratch.len() {
         let t = scratch.get(i).copied().unwrap_or(1.0);
-        let (farthest, index) = if i == scratch.len() { (last, last_index) } else { nearest(t) };
+        let (farthest, index) =
+            if i == scratch.len() { (last, last_index) } else { nearest_target(probe, targets, t) };
         let after = Sample { t, index, distance: farthest.distance };
-        worst = change_over(before, after, probe.length, BISECTIONS, worst.max(farthest), &nearest);
+        worst = change_over(before, after, probe.length, BISECTIONS, worst.max(farthest), &|t| {
+            nearest_target(probe, targets, t)
+        });
         before = after;
     }
     worst
+}
+
+/// The point of `probe` at the fraction `t` with its distance from the nearest of `targets`, and the index of that target.
+fn nearest_target<T: Borrow<Prepared>>(probe: &Prepared, targets: &[T], t: f64) -> (Farthest, usize) {
+    let p = probe.point(t);
+    let (mut best, mut index) = (f64::INFINITY, 0);
+    for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
+        // The box pays only where there are several targets.
+        if targets.len() > 2 && target.bounds.distance(p) > best {
+            continue;
+        }
+        let distance = target.distance(p);
+        if distance < best {
+            (best, index) = (distance, i);
+        }
+    }
+    (Farthest { distance: best, at: p }, index)
 }
 
 /// The nearest target at a fraction of the probe.

@@ -22,14 +22,13 @@ impl Block {
         self.commands.clear();
         self.values = [None; 26];
         for (place, word) in words.iter().enumerate() {
-            let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
                 let Some(command) = dialect.vocabulary.command(word.letter, word.number) else {
                     let allowed = format!("codes of {}", dialect.name);
-                    return Err(Finding::new(FindingCode::UnknownWord, name(), allowed));
+                    return Err(Finding::new(FindingCode::UnknownWord, word.text(), allowed));
                 };
                 if let Some(other) = self.commands.iter().find(|c| c.group() == command.group()) {
-                    let fault = format!("{} ({command:?}) beside {other:?}", name());
+                    let fault = format!("{} ({command:?}) beside {other:?}", word.text());
                     return Err(Finding::new(CONFLICT, fault, "one code of each group on a line"));
                 }
                 self.commands.push(command);
@@ -37,10 +36,14 @@ impl Block {
             }
             let parameters = dialect.vocabulary.parameters;
             if !parameters.as_bytes().contains(&word.letter) {
-                return Err(Finding::new(FindingCode::UnknownWord, name(), format!("words {parameters}")));
+                return Err(Finding::new(
+                    FindingCode::UnknownWord,
+                    word.text(),
+                    format!("words {parameters}"),
+                ));
             }
             if self.values[usize::from(word.letter - b'A')].replace(word.number).is_some() {
-                return Err(Finding::new(FindingCode::RepeatedWord, name(), "each letter once a line"));
+                return Err(Finding::new(FindingCode::RepeatedWord, word.text(), "each letter once a line"));
             }
         }
         self.check(dialect)
@@ -92,12 +95,13 @@ impl Block {
         } else if self.value(b'P').is_some() != dwell {
             return Err(Finding::new(FindingCode::UnusedWord, "P or a dwell, one of them", "both or none"));
         }
-        let is_own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
-        // The power of a laser may change in any line.
-        let is_power = |letter: u8| letter == b'S' && dialect.vocabulary.drives_laser();
-        let is_stray = |letter: u8| self.value(letter).is_some() && !is_own(letter) && !is_power(letter);
-        if let Some(letter) = b"PRST".iter().find(|letter| is_stray(**letter)) {
-            let fault = format!("{} without its command", char::from(*letter));
+        let stray = b"PRST".iter().copied().find(|letter| {
+            // The power of a laser may change in any line.
+            let is_power = *letter == b'S' && dialect.vocabulary.drives_laser();
+            self.value(*letter).is_some() && !self.is_read(*letter) && !is_power
+        });
+        if let Some(letter) = stray {
+            let fault = format!("{} without its command", char::from(letter));
             return Err(Finding::new(FindingCode::UnusedWord, fault, "words that a command uses"));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
@@ -109,10 +113,15 @@ impl Block {
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
             return Err(Finding::new(FindingCode::BadFeed, format!("F{f}"), "a feed > 0"));
         }
-        if self.has_any(b"IJ") && !self.has_any(b"XY") && !is_own(b'I') {
+        if self.has_any(b"IJ") && !self.has_any(b"XY") && !self.is_read(b'I') {
             let (fault, allowed) = ("a centre without an end point", "X or Y with I, J");
             return Err(Finding::new(FindingCode::BadArc, fault, allowed));
         }
         Ok(())
+    }
+
+    /// Whether a command of the line reads `letter`.
+    fn is_read(&self, letter: u8) -> bool {
+        self.commands.iter().any(|command| command.own_letters().contains(&letter))
     }
 }

@@ -55,8 +55,8 @@ impl PendingHeater {
             None => (number::value(limits)?, None),
         };
         let (heater, celsius) = self.0.take()?;
-        let is_near = |limit: f64| (limit - celsius).abs() <= NEAR;
-        let right = heater == name && is_near(minimum) && maximum.is_none_or(is_near);
+        let mut limits = [Some(minimum), maximum].into_iter().flatten();
+        let right = heater == name && limits.all(|limit| (limit - celsius).abs() <= NEAR);
         let waits_for_cooler = maximum.is_some();
         right.then_some(HeaterLine::Hot { heater: Heater::Named(heater), celsius, waits_for_cooler })
     }

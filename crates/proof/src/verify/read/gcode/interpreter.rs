@@ -114,11 +114,12 @@ impl Interpreter {
     /// The command of a line that is one of the dialect's longer words, with words of its own or without.
     fn whole_word(&self, line: &str) -> Option<Command> {
         let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -\"".contains(c);
-        let is = |word: &str| {
+        let mut words = self.dialect.vocabulary.words.iter();
+        let word = words.find(|(word, _)| {
             let rest = line.strip_prefix(word);
             rest.is_some_and(|rest| (rest.is_empty() || rest.starts_with(' ')) && rest.chars().all(plain))
-        };
-        self.dialect.vocabulary.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
+        });
+        word.map(|(_, command)| *command)
     }
 
     /// Whether the program has ended, and nothing more is executed.

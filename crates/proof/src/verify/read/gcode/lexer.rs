@@ -14,6 +14,13 @@ pub(super) struct Word {
     pub(super) number: f64,
 }
 
+impl Word {
+    /// The word for a message.
+    pub(super) fn text(&self) -> String {
+        format!("{}{}", char::from(self.letter), self.number)
+    }
+}
+
 /// The kind of each byte in a line of some dialect.
 #[derive(Clone, Debug)]
 pub(super) struct Alphabet([u8; 256]);
@@ -112,15 +119,15 @@ fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Optio
     if dialect.comments == Comments::Semicolon {
         return Ok(line.split_once(';').map_or((line, None), |(code, comment)| (code, Some(comment))));
     }
-    let fault = |allowed: &str| Err(Finding::new(FindingCode::BadComment, quote(line), allowed));
-    match (line.split_once('('), line.contains(')')) {
-        (None, false) => Ok((line, None)),
-        (None, true) => fault("a comment that begins before it ends"),
+    let allowed = match (line.split_once('('), line.contains(')')) {
+        (None, false) => return Ok((line, None)),
+        (None, true) => "a comment that begins before it ends",
         (Some((code, rest)), _) => match rest.split_once(')') {
-            Some((comment, "")) if !comment.contains('(') => Ok((code, Some(comment))),
-            _ => fault("one comment, closed at the end of the line"),
+            Some((comment, "")) if !comment.contains('(') => return Ok((code, Some(comment))),
+            _ => "one comment, closed at the end of the line",
         },
-    }
+    };
+    Err(Finding::new(FindingCode::BadComment, quote(line), allowed))
 }
 
 #[cfg(test)]
