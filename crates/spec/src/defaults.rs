@@ -48,14 +48,11 @@ fn write(lines: &mut Vec<String>, section: &str, key: &str, value: &str) {
         .iter()
         .position(|line| line.starts_with('['))
         .map_or(lines.len(), |n| start + 1 + n);
-    let has_key = |line: &str, mark: &str| {
-        let bare = line.strip_prefix(mark).and_then(|line| line.strip_prefix(key));
-        bare.is_some_and(|rest| rest.trim_start().starts_with('='))
-    };
-    if lines[start..end].iter().any(|line| has_key(line, "")) {
+    if lines[start..end].iter().any(|line| has_key(line, "", key)) {
         return;
     }
-    let template_line = (start..end).find(|at| ["# ", "## "].iter().any(|mark| has_key(&lines[*at], mark)));
+    let template_line =
+        (start..end).find(|at| ["# ", "## "].iter().any(|mark| has_key(&lines[*at], mark, key)));
     match template_line {
         Some(at) => {
             let words = lines[at].rsplit_once(" # ").map_or("", |(_, words)| words).to_owned();
@@ -64,6 +61,12 @@ fn write(lines: &mut Vec<String>, section: &str, key: &str, value: &str) {
         }
         None => lines.insert(start + 1, format!("{key} = {value}")),
     }
+}
+
+/// Whether `line` sets `key` behind `mark`.
+fn has_key(line: &str, mark: &str, key: &str) -> bool {
+    let bare = line.strip_prefix(mark).and_then(|line| line.strip_prefix(key));
+    bare.is_some_and(|rest| rest.trim_start().starts_with('='))
 }
 
 #[cfg(test)]

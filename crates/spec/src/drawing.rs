@@ -67,9 +67,12 @@ impl DrawingContent {
     /// # Errors
     /// Every reason for which it cannot be read.
     pub fn read(&self, name: &str, options: &Options) -> ReadArtwork {
-        let anew = || artwork::read(name, &self.bytes, options).map(Arc::new);
-        let (options_read, read) = self.read.get_or_init(|| (*options, anew()));
-        if options_read == options { read.clone() } else { anew() }
+        let (options_read, read) = self.read.get_or_init(|| (*options, self.read_anew(name, options)));
+        if options_read == options { read.clone() } else { self.read_anew(name, options) }
+    }
+
+    fn read_anew(&self, name: &str, options: &Options) -> ReadArtwork {
+        artwork::read(name, &self.bytes, options).map(Arc::new)
     }
 }
 

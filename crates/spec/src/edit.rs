@@ -130,13 +130,10 @@ pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<Stri
 pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let mut tree = document(source)?;
     // One of the two size keys replaces the other, unless both are set here.
-    let replaced = |key: KeyPath| {
-        let other = key.twin()?;
-        (!values.iter().any(|(key, _)| *key == other)).then_some((other, None))
-    };
     let set_sizes = values.iter().filter(|(_, value)| value.is_some());
-    let replaced: Vec<_> = set_sizes.filter_map(|(key, _)| replaced(*key)).collect();
-    for (key, value) in replaced.into_iter().chain(values.iter().copied()) {
+    let twins = set_sizes.filter_map(|(key, _)| key.twin());
+    let replaced = twins.filter(|twin| !values.iter().any(|(key, _)| key == twin)).map(|twin| (twin, None));
+    for (key, value) in replaced.chain(values.iter().copied()) {
         let Some(value) = value else {
             let root = tree.as_table_mut();
             let section: Option<&mut dyn TableLike> = match key.section() {

@@ -32,15 +32,11 @@ impl Document {
 
     /// One fault if `root` is plainly another kind of file than this one.
     pub(super) fn mistaken(self, root: &RawTable) -> Option<Fault> {
-        let is = |document: Self| {
-            let products: &[&str] = if document == Self::Spec { &ProductKind::WORDS } else { &[] };
-            document.words().1.iter().chain(products).any(|key| root.get(key).is_some())
-        };
         let other_kinds = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
         let other = other_kinds
             .into_iter()
-            .find(|other| is(*other))
-            .filter(|_| self != Self::Defaults && !is(self))?;
+            .find(|other| other.has_key_in(root))
+            .filter(|_| self != Self::Defaults && !self.has_key_in(root))?;
         let ((kind_words, ..), (name, _, use_of_it)) = (self.words(), other.words());
         let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {name}, not {kind_words}"));
         Some(
@@ -48,6 +44,12 @@ impl Document {
                 .label("its sections are those of such a file")
                 .help(format!("{use_of_it}; here {kind_words} is read")),
         )
+    }
+
+    /// Whether `root` has a key by which this kind of file is recognized.
+    fn has_key_in(self, root: &RawTable) -> bool {
+        let products: &[&str] = if self == Self::Spec { &ProductKind::WORDS } else { &[] };
+        self.words().1.iter().chain(products).any(|key| root.get(key).is_some())
     }
 }
 
@@ -70,13 +72,12 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
 /// The kind of the text, in plain words.
 fn kind(text: &str) -> Option<&'static str> {
     let text = text.trim_start_matches('\u{feff}').trim_start();
-    let begins = |with: &str| text.starts_with(with);
     let mut words = text.split_whitespace();
-    if begins("<") {
+    if text.starts_with('<') {
         Some("XML, such as an SVG drawing")
-    } else if begins("{") {
+    } else if text.starts_with('{') {
         Some("JSON")
-    } else if begins("%PDF") {
+    } else if text.starts_with("%PDF") {
         Some("a PDF")
     } else if words.next() == Some("0") && words.next() == Some("SECTION") {
         Some("a DXF drawing")

@@ -33,6 +33,7 @@ mod model;
 mod motion;
 mod name;
 mod press;
+mod processes;
 mod product;
 mod profile;
 mod raw;
@@ -82,6 +83,7 @@ pub use model::{
 pub use motion::{Motion, StepRate, ZLimits};
 pub use name::{NAME_LENGTH, check_name, is_plain_word, misleads};
 pub use press::{PAPER_CREEP, PRESS_PROFILE, PRESS_TIMES, PaperSize, Press, PressLayer};
+pub use processes::{DEFAULT_PROCESS, ProcessSpec, check_process_name};
 pub use product::ProductKind;
 pub use profile::{
     FIRST_STEP_RATE, LEAST_ACCELERATION, MOST_ACCELERATION, UNSERVED_MACHINES, UnservedMachine,
@@ -91,7 +93,7 @@ pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, read, written_profile};
 pub use release_layer::TOXIC;
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
-pub use seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause, check_process_name};
+pub use seal::{Seal, SealPause};
 pub use seal_process::{SealProcess, seam_strength};
 pub use service::{Service, WARMEST, WarmPart, Warming};
 pub use source::{SIZE_LIMIT, Source};

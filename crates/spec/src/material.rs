@@ -10,10 +10,11 @@ use crate::fault::Fault;
 use crate::faults::Faults;
 use crate::foreign::{self, Document};
 use crate::press;
+use crate::processes::read_processes;
 use crate::product::ProductKind;
 use crate::raw::RawSpec;
 use crate::reading::{read, read_fabric_with, read_with};
-use crate::seal::{read_processes, read_seal};
+use crate::seal::read_seal;
 use crate::section::Reader;
 use crate::source::Source;
 use crate::value::RawValue;
@@ -53,17 +54,15 @@ pub fn with_material(spec: &Source, material: &Source) -> Result<String, Faults>
     }
     let other_tool: &[&str] = if is_pressed(&target) { &["seal", "process"] } else { &["press"] };
     stated.retain(|section, _| !other_tool.contains(&section));
-    let has_strength =
-        |section: &str, key: &str| stated.get(section).and_then(|item| item.get(key)).is_some();
     let strengths = [("fabric", key::fabric::SEAL_STRENGTH.key()), ("seal", key::seal::STRENGTH.key())];
     // Both are the strength of the same seams: the material's replaces either.
-    if strengths.iter().any(|(section, key)| has_strength(section, key)) {
+    if strengths.iter().any(|(section, key)| states(&stated, section, key)) {
         for (section, key) in strengths {
             let table = target.get_mut(section).and_then(Item::as_table_like_mut);
             let _ = table.and_then(|table| table.remove(key));
         }
     }
-    if has_strength("fabric", key::fabric::THICKNESS.key())
+    if states(&stated, "fabric", key::fabric::THICKNESS.key())
         && let Some(fabric) = target.get_mut("fabric").and_then(Item::as_table_like_mut)
     {
         fabric.clear();
@@ -82,6 +81,10 @@ pub fn with_material(spec: &Source, material: &Source) -> Result<String, Faults>
         copy(values, target.entry(section).or_insert_with(|| Item::Table(Table::new())));
     }
     Ok(target.to_string())
+}
+
+fn states(material: &DocumentMut, section: &str, key: &str) -> bool {
+    material.get(section).and_then(|item| item.get(key)).is_some()
 }
 
 /// Sets every value of `values` in `place`, a section.
@@ -106,8 +109,8 @@ fn is_pressed(tree: &DocumentMut) -> bool {
 /// Checks a material; whether it is a whole spec.
 fn check(material: &Source) -> Result<bool, Faults> {
     let (raw, _) = RawSpec::parse(&material.text);
-    let is_of_spec = |name: &str| ["schema", "name"].contains(&name) || ProductKind::WORDS.contains(&name);
-    if raw.root().0.iter().any(|entry| is_of_spec(&entry.key)) {
+    let mut names = raw.root().0.iter().map(|entry| &*entry.key);
+    if names.any(|name| ["schema", "name"].contains(&name) || ProductKind::WORDS.contains(&name)) {
         return read(material).map(|_| true);
     }
     if raw.root().0.is_empty() && foreign::fault(&material.text).is_none() {

@@ -3,8 +3,8 @@
 use crate::accuracy::Accuracy;
 use crate::cut::CutSpec;
 use crate::press::Press;
+use crate::processes::DEFAULT_PROCESS;
 use crate::product::ProductKind;
-use crate::seal::DEFAULT_PROCESS;
 use crate::units::{Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure};
 use crate::{DrawingSpec, KeyPath, ProcessSpec, Seal, key};
 
@@ -166,8 +166,9 @@ impl StarSpec {
 
     /// Whether the flat parts are the same; their places in the stack may differ.
     pub fn same_part(&self, other: &Self) -> bool {
-        let flat = |star: &Self| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() };
-        flat(self) == flat(other)
+        let [flat, other_flat] =
+            [self, other].map(|star| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() });
+        flat == other_flat
     }
 }
 

@@ -109,8 +109,6 @@ fn single_entry(name: &str, value: RawValue) -> RawTable {
 
 /// The deepest key of `table`, which is `path`, whose name or value holds `span`.
 fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
-    let contains =
-        |place: &Range<usize>| place.start <= span.start && span.start < place.end && span.end <= place.end;
     table.0.iter().find_map(|entry| {
         let dot = if path.is_empty() { "" } else { "." };
         let name = format!("{path}{dot}{}", entry.key);
@@ -119,10 +117,15 @@ fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
             let tables = elements.iter().zip(1..).filter_map(|(item, i)| Some((item.as_table()?, item, i)));
             let mut names = tables.map(|(table, item, i)| {
                 let name = format!("{name}[{i}]");
-                key_at(table, span, &name).or_else(|| contains(&item.span).then_some(name))
+                key_at(table, span, &name).or_else(|| holds(&item.span, span).then_some(name))
             });
             names.find_map(|names| names)
         });
-        nested.or_else(|| (contains(&entry.key_span) || contains(&entry.value.span)).then_some(name))
+        nested.or_else(|| (holds(&entry.key_span, span) || holds(&entry.value.span, span)).then_some(name))
     })
+}
+
+/// Whether `place` holds all of `span`.
+fn holds(place: &Range<usize>, span: &Range<usize>) -> bool {
+    place.start <= span.start && span.start < place.end && span.end <= place.end
 }

@@ -13,8 +13,9 @@ use crate::model::{
     Bed, BuildSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Marks, Mask, MaskKind, ProgramScope,
     Sheet, Spec,
 };
+use crate::processes::{check_uses, read_processes, refuse_processes};
 use crate::raw::RawSpec;
-use crate::seal::{STRENGTHS, check_uses, read_processes, read_seal, read_strength, refuse_processes};
+use crate::seal::{STRENGTHS, read_seal, read_strength};
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::source::Source;
@@ -96,8 +97,7 @@ pub(super) fn read_with<T>(
 /// Near broken syntax, keys are lost and values are the parser's guesses: keeps the faults of `key_faults` that do not come from
 /// that.
 fn beyond_syntax(key_faults: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
-    let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
-    let broken_lines: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
+    let broken_lines: Vec<usize> = syntax.iter().map(|fault| line_of(text, fault.span.start)).collect();
     // Without the bracket of its header, a section's keys are read as others.
     let unclosed = syntax.iter().find(|fault| fault.message.starts_with("unclosed table")).map(|fault| {
         let (start, end) = (fault.span.start, text.len());
@@ -107,9 +107,14 @@ fn beyond_syntax(key_faults: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fa
         fault.code != FaultCode::MissingKey.as_str()
             && fault.span != (0..0)
             && !unclosed.as_ref().is_some_and(|lost| lost.contains(&fault.span.start))
-            && !broken_lines.contains(&line(fault.span.start))
+            && !broken_lines.contains(&line_of(text, fault.span.start))
     };
     key_faults.into_iter().filter(is_sound).collect()
+}
+
+/// Number of the line, from 0, of the byte `place` of `text`.
+fn line_of(text: &str, place: usize) -> usize {
+    text.as_bytes().iter().take(place).filter(|byte| **byte == b'\n').count()
 }
 
 /// Reports a `schema` that is not `version`, the only supported one.
@@ -166,23 +171,25 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
 
 /// Values that only one of the products can have.
 fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
-    let mut conflict = |key: KeyPath, message: String, label: &str| {
-        let fault = Fault::error(FaultCode::Conflict, reader.raw.span_of(key), message).label(label);
-        reader.faults.push(fault);
-    };
     if spec.has_stars() && spec.sheet.copies > 1 {
         let message = format!("`copies` is {} without a [drawing]", spec.sheet.copies);
-        conflict(key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
+        report_conflict(reader, key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
     }
     if spec.press.is_some() && spec.mask.kind == MaskKind::Separator && spec.mask.creep.0 > 0.0 {
         let message = format!("`creep` in [mask] is {} beside [press]", spec.mask.creep);
-        conflict(key::mask::CREEP, message, "the paper of a press has `creep` in [press]: write it there");
+        let label = "the paper of a press has `creep` in [press]: write it there";
+        report_conflict(reader, key::mask::CREEP, message, label);
     }
     let of_stacks = [Extra::FramePdf, Extra::FrameStl];
     for extra in spec.build.with.iter().filter(|extra| !spec.has_stars() && of_stacks.contains(extra)) {
         let message = format!("`with` names {:?} beside [drawing]", extra.name());
-        conflict(key::build::WITH, message, "only stacked stars have a frame");
+        report_conflict(reader, key::build::WITH, message, "only stacked stars have a frame");
     }
+}
+
+fn report_conflict(reader: &mut Reader<'_>, key: KeyPath, message: String, label: &str) {
+    let fault = Fault::error(FaultCode::Conflict, reader.raw.span_of(key), message).label(label);
+    reader.faults.push(fault);
 }
 
 /// `[fabric]` beside the peel strength that `[seal]` states.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use annotate_snippets::{AnnotationKind, Group, Level as Tone, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level as Tone, Message, Origin, Renderer, Snippet};
 
 use crate::fault::{Fault, Severity};
 use crate::name::misleads;
@@ -80,21 +80,14 @@ fn rendered(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<u
     // Text behind "error[code]: " and behind the longest "  = help: ".
     let head = "warning[]: ".len() + fault.code.len();
     let title = tone.primary_title(marked_text(&broken_lines(&fault.message, width, head))).id(fault.code);
-    let note = |tone: Tone<'static>, text: &str| {
-        tone.message(marked_text(&broken_lines(text, width, MARGIN + "= help: ".len())))
-    };
     // A fault of a missing section has no line to show; one of the syntax may be at the end of the last line.
     let is_at_line = fault.code == FaultCode::Syntax.as_str() && !text.is_empty() && !text.ends_with('\n');
-    let help = |group: Group<'static>| match &fault.help {
-        Some(help) => group.element(note(Tone::HELP, help)),
-        None => group,
-    };
     if fault.span.is_empty() && fault.span.start == text.len() && !is_at_line {
         let mut group = title.element(Origin::path(shown_name(source)));
         if !fault.label.is_empty() {
-            group = group.element(note(Tone::NOTE, &fault.label));
+            group = group.element(note(Tone::NOTE, &fault.label, width));
         }
-        return renderer.render(&[help(group)]);
+        return renderer.render(&[with_help(group, fault, width)]);
     }
     // Only the line is handed on: the renderer's work grows with the length of its input, once for each fault.
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
@@ -102,8 +95,8 @@ fn rendered(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<u
     let line = text[start..end].trim_end_matches('\r');
     // A very long line is cut: the renderer needs many times its length in memory.
     let line = &line[..boundary(line, (fault.span.start - start).saturating_add(ROOM))];
-    let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
-    let (start_here, end_here) = (local(fault.span.start), local(fault.span.end));
+    let [start_here, end_here] =
+        [fault.span.start, fault.span.end].map(|place| place.min(end).saturating_sub(start).min(line.len()));
     let head_of_line = visible(&line[..start_here]);
     let marked = head_of_line.len() + visible(&line[start_here..end_here]).len();
     let visible_line = visible(line);
@@ -117,9 +110,21 @@ fn rendered(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<u
         .annotation(AnnotationKind::Primary.span(head_of_line.len()..marked).label(label_beside));
     let mut group = title.element(snippet);
     if !fits {
-        group = group.element(note(Tone::NOTE, &fault.label));
+        group = group.element(note(Tone::NOTE, &fault.label, width));
     }
-    renderer.render(&[help(group)])
+    renderer.render(&[with_help(group, fault, width)])
+}
+
+/// A line below a fault.
+fn note(tone: Tone<'static>, text: &str, width: Option<usize>) -> Message<'static> {
+    tone.message(marked_text(&broken_lines(text, width, MARGIN + "= help: ".len())))
+}
+
+fn with_help<'a>(group: Group<'a>, fault: &Fault, width: Option<usize>) -> Group<'a> {
+    match &fault.help {
+        Some(help) => group.element(note(Tone::HELP, help, width)),
+        None => group,
+    }
 }
 
 /// `text` broken between words so that, behind `head` columns, no line is wider than `width`; a longer word stays whole.
@@ -143,13 +148,14 @@ fn broken_lines(text: &str, width: Option<usize>, head: usize) -> String {
 
 /// "spec.toml: 2 errors, 1 warning".
 fn summary(source: &Source, faults: &[Fault], listed: usize) -> String {
-    let count = |level| faults.iter().filter(|fault| fault.level == level).count();
-    let phrase = |n: usize, word: &str| match n {
-        0 => None,
-        1 => Some(format!("1 {word}")),
-        n => Some(format!("{n} {word}s")),
-    };
-    let parts = [phrase(count(Severity::Error), "error"), phrase(count(Severity::Warning), "warning")];
+    let parts =
+        [(Severity::Error, "error"), (Severity::Warning, "warning")].map(|(level, word)| {
+            match faults.iter().filter(|fault| fault.level == level).count() {
+                0 => None,
+                1 => Some(format!("1 {word}")),
+                n => Some(format!("{n} {word}s")),
+            }
+        });
     let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
     let cut = if listed > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
     format!("{}: {parts}{cut}", shown_name(source))

@@ -1,6 +1,7 @@
 //! The process of each name, with what it takes from `[seal]`.
 
-use crate::seal::{DEFAULT_PROCESS, ProcessSpec, Seal, SealPause};
+use crate::processes::{DEFAULT_PROCESS, ProcessSpec};
+use crate::seal::{Seal, SealPause};
 use crate::units::LineForce;
 use crate::{Fabric, Spec};
 

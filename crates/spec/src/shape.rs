@@ -50,22 +50,9 @@ impl ValueShape {
     /// A quantity is a text with a pattern, since a schema has no units; its range is in the words. `Or` adds words to the
     /// schema of another shape.
     pub(super) fn schema(&self) -> (Value, Option<String>) {
-        let texts = || json!({ "type": "array", "items": { "type": "string" } });
         let (schema, range_words) = match self {
-            Self::Quantity(kind, allowed) => {
-                let (name, units) = (capital(&article(kind.name)), kind.unit_list());
-                let range_words =
-                    format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
-                let pattern = format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(*kind));
-                (json!({ "type": "string", "pattern": pattern }), range_words)
-            }
-            Self::Area(allowed) => {
-                let range_words = allowed.in_words(Length::KIND.unit());
-                let unit = alternatives(Length::KIND);
-                let pattern = format!("^\\s*{NUMBER}\\s*({unit})?\\s*[x\u{d7}]\\s*{NUMBER}\\s*({unit})\\s*$");
-                let schema = json!({ "type": "string", "pattern": pattern });
-                (schema, format!("Two lengths with an x between; each {range_words}."))
-            }
+            Self::Quantity(kind, allowed) => quantity_schema(*kind, *allowed),
+            Self::Area(allowed) => area_schema(*allowed),
             Self::Number(allowed) => (allowed.schema(), format!("A plain number; {}.", allowed.in_words(""))),
             Self::Count(low, high) => {
                 let schema = json!({ "type": "integer", "minimum": low, "maximum": high });
@@ -87,7 +74,7 @@ impl ValueShape {
                 let schema = json!({ "type": "array", "items": items, "uniqueItems": true });
                 (schema, format!("A list of some of {}.", words.join(", ")))
             }
-            Self::Texts => (texts(), "A list of texts.".to_owned()),
+            Self::Texts => (texts_schema(), "A list of texts.".to_owned()),
             Self::Truth => return (json!({ "type": "boolean" }), None),
             Self::Text => return (json!({ "type": "string" }), None),
             Self::Sections => return (json!({ "type": "array" }), None),
@@ -101,16 +88,35 @@ impl ValueShape {
                 );
             }
             Self::NamedLists => {
-                return (json!({ "type": "object", "additionalProperties": texts() }), None);
+                return (json!({ "type": "object", "additionalProperties": texts_schema() }), None);
             }
             Self::Lists(words) => {
-                let keys: Map<_, _> = words.iter().map(|word| ((*word).to_owned(), texts())).collect();
+                let keys: Map<_, _> = words.iter().map(|word| ((*word).to_owned(), texts_schema())).collect();
                 let schema = json!({ "type": "object", "additionalProperties": false, "properties": keys });
                 return (schema, None);
             }
         };
         (schema, Some(range_words))
     }
+}
+
+fn texts_schema() -> Value {
+    json!({ "type": "array", "items": { "type": "string" } })
+}
+
+fn quantity_schema(kind: QuantityKind, allowed: Allowed) -> (Value, String) {
+    let (name, units) = (capital(&article(kind.name)), kind.unit_list());
+    let range_words = format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
+    let pattern = format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(kind));
+    (json!({ "type": "string", "pattern": pattern }), range_words)
+}
+
+fn area_schema(allowed: Allowed) -> (Value, String) {
+    let range_words = allowed.in_words(Length::KIND.unit());
+    let unit = alternatives(Length::KIND);
+    let pattern = format!("^\\s*{NUMBER}\\s*({unit})?\\s*[x\u{d7}]\\s*{NUMBER}\\s*({unit})\\s*$");
+    let schema = json!({ "type": "string", "pattern": pattern });
+    (schema, format!("Two lengths with an x between; each {range_words}."))
 }
 
 /// Units as a pattern; the longest first, so that no unit hides another that begins with it.

@@ -130,13 +130,12 @@ impl<Q: Quantity> fmt::Display for Stated<Q> {
 fn split_number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let bytes = text.as_bytes();
-    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
     let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let digits_before = digits(end);
+    let digits_before = digit_count(&bytes[end..]);
     end += digits_before;
     let mut decimals = 0;
     if bytes.get(end) == Some(&b'.') {
-        decimals = digits(end + 1);
+        decimals = digit_count(&bytes[end + 1..]);
         end += 1 + decimals;
     }
     if digits_before + decimals == 0 {
@@ -145,13 +144,18 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
     // An exponent counts as one only if digits follow: "2e" would otherwise swallow a unit's first letter.
     if matches!(bytes.get(end), Some(b'e' | b'E')) {
         let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-        let exponent = digits((end + 1 + sign).min(bytes.len()));
+        let exponent = digit_count(&bytes[(end + 1 + sign).min(bytes.len())..]);
         if exponent > 0 {
             end += 1 + sign + exponent;
         }
     }
     let value: f64 = text[..end].parse().ok()?;
     value.is_finite().then(|| (value, text[end..].trim()))
+}
+
+/// The number of digits with which `bytes` begin.
+fn digit_count(bytes: &[u8]) -> usize {
+    bytes.iter().take_while(|byte| byte.is_ascii_digit()).count()
 }
 
 macro_rules! quantities {

@@ -41,8 +41,8 @@ pub(super) fn faults(sections: &[Known<'_>]) -> Vec<Fault> {
     };
     let mut unknown: Vec<_> = entries.filter(is_unknown).collect();
     sort_by_key(&mut unknown, |(_, entry)| entry.key_span.start);
-    let fault = |(i, (one, entry))| fault(one, entry, sections, i < HINTED);
-    unknown.into_iter().enumerate().map(fault).collect()
+    let numbered = unknown.into_iter().enumerate();
+    numbered.map(|(i, (section, entry))| fault(section, entry, sections, i < HINTED)).collect()
 }
 
 /// The fault of the unknown `entry` of `section`, with a hint if `is_hinted`.
@@ -97,15 +97,20 @@ fn section_names<'k>(sections: &'k [Known<'_>]) -> impl Iterator<Item = &'static
 
 /// The hint for an unknown section: of the similar names first one that has all keys of `table`.
 fn section_hint(word: &str, table: &RawTable, sections: &[Known<'_>]) -> String {
-    let names = || section_names(sections);
+    let names: Vec<&str> = section_names(sections).collect();
     let has_all = |name: &&str| {
         let section = sections.iter().find(|one| one.section == *name);
         section.is_some_and(|one| table.0.iter().all(|entry| one.keys.contains(&entry.key.as_str())))
     };
-    match nearest(word, names().filter(has_all)).or_else(|| nearest(word, names())) {
+    match nearest(word, names.iter().copied().filter(has_all))
+        .or_else(|| nearest(word, names.iter().copied()))
+    {
         Some(near) => format!("did you mean [{near}]?"),
         None => {
-            format!("sections are {}", names().map(|name| format!("[{name}]")).collect::<Vec<_>>().join(", "))
+            format!(
+                "sections are {}",
+                names.iter().map(|name| format!("[{name}]")).collect::<Vec<_>>().join(", ")
+            )
         }
     }
 }
@@ -164,11 +169,11 @@ const DEFAULT_FLAP: f64 = 3.0;
 /// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
 /// section.
 fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
-    let elsewhere = || sections.iter().filter(|one| one.section != place.section);
+    let other_sections = sections.iter().filter(|one| one.section != place.section);
     if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && place.keys.contains(key)) {
         return format!("did you mean `{key}`?");
     }
-    if let Some(section) = elsewhere().find(|one| one.keys.contains(&word)) {
+    if let Some(section) = other_sections.clone().find(|one| one.keys.contains(&word)) {
         return format!("`{word}` belongs {}", home_in_words(section));
     }
     // A key with a word before it, `object_mass` for `mass`, is that key.
@@ -177,7 +182,8 @@ fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
     if let Some(suggestion) = last.or_else(|| nearest(word, place.keys.iter().copied())) {
         return format!("did you mean `{suggestion}`?");
     }
-    let suggestions = elsewhere()
+    let mut other_sections = other_sections;
+    let suggestions = other_sections
         .find_map(|one| nearest(word, one.keys.iter().copied()).map(|suggestions| (suggestions, one)));
     if let Some((suggestion, section)) = suggestions {
         return format!("did you mean `{suggestion}`, which belongs {}?", home_in_words(section));
@@ -215,22 +221,11 @@ impl Missing {
     /// These faults without the keys that are only misspelt: an unknown key of the section, or an unknown
     /// section, that is near, or a diameter; `None` if nothing is left.
     pub(super) fn but_for(mut self, sections: &[Known<'_>]) -> Option<Self> {
-        let is_known = |section: &str| sections.iter().any(|one| one.section == section);
-        let misspelt = |section: &str, key: &str| {
-            sections.iter().filter(|one| one.section == section).any(|one| {
-                let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
-                let mut unknown =
-                    words.filter(|word| !(one.keys.contains(word) || section.is_empty() && is_known(word)));
-                unknown.any(|word| {
-                    nearest(word, [key]).is_some() || radius_of(word).is_some_and(|radius| radius == key)
-                })
-            })
-        };
-        if !self.is_written && misspelt("", self.section) {
+        if !self.is_written && has_misspelt(sections, "", self.section) {
             return None;
         }
         let section = self.section;
-        self.keys.retain(|(key, _)| !misspelt(section, key));
+        self.keys.retain(|(key, _)| !has_misspelt(sections, section, key));
         (!self.keys.is_empty()).then_some(self)
     }
 
@@ -260,6 +255,19 @@ impl Missing {
             .label(label)
             .help(format!("{begin}write for instance:\n{help}"))
     }
+}
+
+/// Whether `key` of `section`, or the section `key` where `section` is empty, is in the text with slips or as a diameter.
+fn has_misspelt(sections: &[Known<'_>], section: &str, key: &str) -> bool {
+    sections.iter().filter(|one| one.section == section).any(|one| {
+        let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
+        let mut unknown = words.filter(|word| {
+            let is_section = section.is_empty() && sections.iter().any(|one| one.section == *word);
+            !(one.keys.contains(word) || is_section)
+        });
+        unknown
+            .any(|word| nearest(word, [key]).is_some() || radius_of(word).is_some_and(|radius| radius == key))
+    })
 }
 
 #[cfg(test)]

@@ -69,13 +69,9 @@ pub fn has_default(key: KeyPath) -> bool {
 
 fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Setting> {
     let (raw, _) = RawSpec::parse(&source.text);
-    let written_value = |section: &str, key: &str| -> Option<String> {
-        let table = if section.is_empty() { Some(raw.root()) } else { raw.root().get(section)?.as_table() };
-        Some(plain_text(table?.get(key)?))
-    };
     let mut list: Vec<Setting> = keys
         .map(|KnownKey { section, key, default, meaning }| {
-            let own_value = written_value(section, key);
+            let own_value = written_value(&raw, section, key);
             let is_written = own_value.is_some();
             let value = own_value.or_else(|| default.map(str::to_owned));
             Setting {
@@ -100,6 +96,12 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
         );
     }
     list
+}
+
+/// The value of `key` in the text; `None` where it does not write it.
+fn written_value(raw: &RawSpec, section: &str, key: &str) -> Option<String> {
+    let table = if section.is_empty() { Some(raw.root()) } else { raw.root().get(section)?.as_table() };
+    Some(plain_text(table?.get(key)?))
 }
 
 /// The settings that `table` writes, as those of `section`.

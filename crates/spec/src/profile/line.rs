@@ -102,11 +102,10 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
             _ => None,
         });
     }
-    let is_allowed = |command: Command| match part {
-        LinePart::Pause => command == Command::Pause,
+    let words = vocabulary.words.iter().filter(|(_, command)| match part {
+        LinePart::Pause => *command == Command::Pause,
         LinePart::Start | LinePart::End => matches!(command, Command::Setting | Command::HeatOnly),
-    };
-    let words = vocabulary.words.iter().filter(|(_, command)| is_allowed(*command));
+    });
     names.extend(words.map(|(word, command)| match command {
         Command::HeatOnly => format!("{word} HEATER=.. TARGET=0"),
         _ => (*word).to_owned(),
@@ -128,9 +127,11 @@ fn is_mode(command: Command) -> bool {
 
 /// The word of more than a letter with which the line begins.
 fn whole_word(line: &str, vocabulary: Vocabulary) -> Option<(&'static str, Command)> {
-    let begins =
-        |word: &str| line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
-    vocabulary.words.iter().find(|(word, _)| begins(word)).copied()
+    let mut words = vocabulary.words.iter();
+    let word = words.find(|(word, _)| {
+        line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    });
+    word.copied()
 }
 
 /// Whether these parameters of SET_HEATER_TEMPERATURE turn a heater off.
@@ -163,20 +164,23 @@ fn number(text: &str) -> Option<f64> {
 
 /// A setting that is a code with parameters.
 fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
-    let lowest = |speed| Limits { lowest_speed: Some(Speed(speed)), ..Limits::default() };
-    match (code, parameters) {
-        ((b'T', _), []) => Some(Limits::default()),
+    let lowest_speed = match (code, parameters) {
+        ((b'T', _), []) => return Some(Limits::default()),
         // RepRapFirmware, docs.duet3d.com, M203: I is the lowest feed, mm/min.
-        ((b'M', 203.0), [(b'I', feed)]) if *feed > 0.0 => Some(lowest(feed / 60.0)),
+        ((b'M', 203.0), [(b'I', feed)]) if *feed > 0.0 => feed / 60.0,
         // Marlin (planner.cpp, _populate_block): S is the lowest speed of moves that extrude, T of all others, mm/s.
         ((b'M', 205.0), [first, rest @ ..]) if rest.len() < 2 => {
             let is = |(letter, speed): &(u8, f64)| b"ST".contains(letter) && *speed >= 0.0;
             let repeated = rest.iter().any(|(letter, _)| *letter == first.0);
             let right = parameters.iter().all(is) && !repeated;
-            right.then(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
+            if !right {
+                return None;
+            }
+            parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)
         }
-        _ => None,
-    }
+        _ => return None,
+    };
+    Some(Limits { lowest_speed: Some(Speed(lowest_speed)), ..Limits::default() })
 }
 
 /// A setting of Klipper: a word with `NAME=number` parameters.
@@ -191,20 +195,22 @@ fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> O
         }
         settings.push((name, value));
     }
-    let value = |name: &str| settings.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
     match (word, settings.as_slice()) {
         ("SET_IDLE_TIMEOUT", [("TIMEOUT", seconds)]) => {
             Some(Limits { idle_timeout: Some(Duration(*seconds)), ..Limits::default() })
         }
         ("SET_VELOCITY_LIMIT", [_, ..]) => {
-            let is_setting =
-                |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
+            let [velocity, acceleration] = ["VELOCITY", "ACCEL"]
+                .map(|name| settings.iter().find(|(other, _)| *other == name).map(|(_, value)| *value));
             let limits = Limits {
-                top_speed: value("VELOCITY").map(Speed),
-                acceleration: value("ACCEL").map(Acceleration),
+                top_speed: velocity.map(Speed),
+                acceleration: acceleration.map(Acceleration),
                 ..Limits::default()
             };
-            settings.iter().all(|(name, _)| is_setting(name)).then_some(limits)
+            let mut names = settings.iter().map(|(name, _)| name);
+            names
+                .all(|name| ["VELOCITY", "ACCEL"].contains(name) || OTHER_LIMITS.contains(name))
+                .then_some(limits)
         }
         _ => None,
     }

@@ -69,12 +69,12 @@ pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], contr
     if !program.contains("start") {
         return;
     }
-    let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));
+    let set_words: Vec<String> = start.iter().flat_map(|line| words(line)).collect();
     // Other modes a controller keeps from the program before.
     let fixed = Vocabulary::for_dialect(controller.dialect).fixed;
     let required =
         MODES.iter().filter(|(mode, .., for_arcs)| !fixed.contains(mode) && (controller.arcs || !for_arcs));
-    let missing: Vec<_> = required.filter(|(_, word, ..)| !is_set(word)).collect();
+    let missing: Vec<_> = required.filter(|(_, word, ..)| !set_words.iter().any(|set| set == word)).collect();
     if missing.is_empty() {
         return;
     }

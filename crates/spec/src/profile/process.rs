@@ -39,10 +39,8 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>, focus: Opt
     // as far as both could be read.
     s.require_if(focus.is_none(), &[("contact", "\"0 mm\"")]);
     s.require(&[("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
-    let mut height = |key, allowed| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x)));
-    let stated_contact = height("contact", CONTACT);
-    let travel = height("travel", HEIGHT);
-    let park = height("park", HEIGHT);
+    let [stated_contact, travel, park] = [("contact", CONTACT), ("travel", HEIGHT), ("park", HEIGHT)]
+        .map(|(key, allowed)| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x))));
     if focus.is_some() && s.contains("contact") {
         let fault = Fault::error(FaultCode::Conflict, s.place_of("contact"), "`contact` beside a laser");
         s.report(
@@ -92,18 +90,19 @@ pub(super) fn read_bench(reader: &mut Reader<'_>, place: SheetPlace) -> Bench {
 
 /// Reads `[origin]`: X and Y of the sheet's lower left corner.
 pub(super) fn read_origin(s: &mut Section<'_, '_>) -> (Length, Length) {
-    let mut side = |key| Length(to_micrometres(s.length(key, PLACE, 0.0).0));
-    (side("x"), side("y"))
+    let [x, y] = ["x", "y"].map(|key| Length(to_micrometres(s.length(key, PLACE, 0.0).0)));
+    (x, y)
 }
 
 /// Both sizes, or neither: an absent one and "unknown" mean the same.
 fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
     // A faulty side counts as set, so that it is not reported as missing too.
-    let mut side =
-        |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.contains(key).then_some(Length(1.0))));
-    match (side("x"), side("y")) {
-        (Some(x), Some(y)) => Some((x, y)),
-        (None, None) => None,
+    let sides = ["x", "y"].map(|key| {
+        known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.contains(key).then_some(Length(1.0))))
+    });
+    match sides {
+        [Some(x), Some(y)] => Some((x, y)),
+        [None, None] => None,
         _ => {
             let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] has one side only")
                 .label("must set both `x` and `y`, or neither, or \"unknown\" for both");

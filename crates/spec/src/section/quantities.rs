@@ -1,5 +1,7 @@
 //! Quantities: numbers with a unit, alone, by name, and as the two sides of an area.
 
+use std::ops::Range;
+
 use crate::allowed::Allowed;
 use crate::fault::{Fault, quoted};
 use crate::message::{article, bare_number, malformed};
@@ -86,12 +88,8 @@ impl Section<'_, '_> {
     /// it is absent or faulty.
     pub(crate) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
         let (area_text, span) = self.word(key, ValueShape::Area(allowed))?;
-        let fault_at = |message: String| {
-            let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
-            Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
-        };
         let Some((width, depth)) = area_text.split_once(['x', '\u{d7}']) else {
-            self.report(fault_at(format!("`{key}` is {}", quoted(area_text))));
+            self.report(not_an_area(span, format!("`{key}` is {}", quoted(area_text))));
             return None;
         };
         let unit = depth.trim_start_matches(|c: char| c.is_ascii_digit() || " .+-".contains(c));
@@ -107,10 +105,12 @@ impl Section<'_, '_> {
                 Err(fault.label(allowed.in_words(Length::KIND.unit())))
             }
             Err(QuantityFault::NoUnit) => {
-                let unitless = |side: &str| matches!(Length::parse(side), Err(QuantityFault::NoUnit));
-                let sides = [width.trim(), depth.trim()]
-                    .map(|side| if unitless(side) { format!("{side} mm") } else { side.to_owned() });
-                let fault = fault_at(format!("`{key}` is {}, without a unit", quoted(area_text)));
+                let sides = [width.trim(), depth.trim()].map(|side| match Length::parse(side) {
+                    Err(QuantityFault::NoUnit) => format!("{side} mm"),
+                    _ => side.to_owned(),
+                });
+                let message = format!("`{key}` is {}, without a unit", quoted(area_text));
+                let fault = not_an_area(span.clone(), message);
                 let help = format!("write for instance: {key} = \"{}\"", sides.join(" x "));
                 Err(Fault { code: FaultCode::NoUnit.as_str(), ..fault.help(help) })
             }
@@ -125,4 +125,9 @@ impl Section<'_, '_> {
             }
         }
     }
+}
+
+fn not_an_area(span: Range<usize>, message: String) -> Fault {
+    let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
+    Fault::error(FaultCode::WrongType, span, message).label(label)
 }

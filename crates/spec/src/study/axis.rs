@@ -76,9 +76,10 @@ impl Axis {
 
 /// The message for a key that no study can set.
 fn unknown(name: &str) -> String {
-    let field_names = || Field::names().collect::<Vec<_>>().join(", ");
-    let hint = Field::nearest_name(name)
-        .map_or_else(|| format!("these can: {}", field_names()), |near| format!("did you mean `{near}`?"));
+    let hint = match Field::nearest_name(name) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("these can: {}", Field::names().collect::<Vec<_>>().join(", ")),
+    };
     format!("`{name}` is not a key of a spec that can be varied; {hint}")
 }
 
@@ -121,11 +122,14 @@ pub(super) fn ends_of(field: &Field, text: &str) -> Result<[f64; 2], String> {
         return Err(format!("`{}` takes no numbers: list its values", field.name()));
     }
     let (from, to) = text.split_once("..").ok_or(format!("`{text}` is not FROM..TO"))?;
-    let number = |text: &str| match field.parse(text)? {
+    Ok([number(field, from)?, number(field, to)?])
+}
+
+fn number(field: &Field, text: &str) -> Result<f64, String> {
+    match field.parse(text)? {
         KeyValue::Number(number) => Ok(number),
         KeyValue::Word(_) | KeyValue::Truth(_) => Err(format!("`{text}` is not a number")),
-    };
-    Ok([number(from)?, number(to)?])
+    }
 }
 
 impl Block {

@@ -5,10 +5,10 @@ use std::sync::LazyLock;
 use crate::FaultCode;
 use crate::fault::Fault;
 use crate::key::{self, KeyPath};
+use crate::processes::check_process_name;
 use crate::product::ProductKind;
 use crate::raw::RawSpec;
 use crate::reading::read_spec;
-use crate::seal::check_process_name;
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::unknown::nearest;
@@ -153,12 +153,12 @@ impl Field {
     /// One sentence that states the value found and the allowed ones.
     pub fn parse(&self, text: &str) -> Result<KeyValue, String> {
         let text = text.trim();
-        let word = || RawKind::Text(text.to_owned());
         let kind = match &self.shape {
-            ValueShape::Number(_) | ValueShape::Count(..) => number(text).map_or_else(word, RawKind::Number),
-            ValueShape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
-            _ => word(),
+            ValueShape::Number(_) | ValueShape::Count(..) => number(text).map(RawKind::Number),
+            ValueShape::Truth => text.parse().ok().map(RawKind::Truth),
+            _ => None,
         };
+        let kind = kind.unwrap_or_else(|| RawKind::Text(text.to_owned()));
         let first_fault = |fault: Fault| {
             let help = fault.help.map(|help| format!("; {help}")).unwrap_or_default();
             format!("{}: {}{help}", fault.message, fault.label)

@@ -241,28 +241,38 @@ fn read_rows(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
 
 /// A list of values, or a range that is counted out.
 fn read_axis(Leaf { field, value, .. }: Leaf<'_>) -> Result<Axis, Fault> {
-    let fault_of = |code, label: &str| {
-        let problem = format!("`{}` is {}", field.name(), value.in_words());
-        Fault::error(code, value.span.clone(), problem).label(label)
-    };
     let values = match &value.kind {
         RawKind::List(list) if list.is_empty() => {
-            return Err(fault_of(FaultCode::OutOfRange, "must hold at least one value"));
+            return Err(axis_fault(&field, value, FaultCode::OutOfRange, "must hold at least one value"));
         }
         RawKind::List(list) if list.len() > MOST_VALUES as usize => {
-            return Err(fault_of(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")));
+            return Err(axis_fault(
+                &field,
+                value,
+                FaultCode::OutOfRange,
+                &format!("must hold at most {MOST_VALUES} values"),
+            ));
         }
         // One fault is enough: an error in the first of a thousand values is in all of them.
         RawKind::List(list) => list.iter().map(|value| field.read(value)).collect::<Result<_, _>>()?,
-        RawKind::Text(text) if text.contains("..") => {
-            counted_out(&field, text).map_err(|reason| fault_of(FaultCode::OutOfRange, &reason))?
-        }
+        RawKind::Text(text) if text.contains("..") => counted_out(&field, text)
+            .map_err(|reason| axis_fault(&field, value, FaultCode::OutOfRange, &reason))?,
         _ => {
-            let fault = fault_of(FaultCode::WrongType, "must be a list, [a, b, c], or \"FROM..TO/COUNT\"");
+            let fault = axis_fault(
+                &field,
+                value,
+                FaultCode::WrongType,
+                "must be a list, [a, b, c], or \"FROM..TO/COUNT\"",
+            );
             return Err(fault.help("a single fixed value belongs in [set]"));
         }
     };
     Ok(Axis::listed(field, values))
+}
+
+fn axis_fault(field: &Field, value: &RawValue, code: FaultCode, label: &str) -> Fault {
+    let problem = format!("`{}` is {}", field.name(), value.in_words());
+    Fault::error(code, value.span.clone(), problem).label(label)
 }
 
 fn read_draw(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
@@ -279,27 +289,31 @@ fn read_draw(reader: &mut Reader<'_>, keys: &mut SeenKeys) -> Option<Block> {
         section.refuse(FaultCode::WrongType, "between", "`between` is not a section", allowed);
         return None;
     };
-    let drawn_axis = |Leaf { field, value, .. }: Leaf<'_>| {
-        let ends = match &value.kind {
-            RawKind::Text(text) => ends_of(&field, text),
-            _ => Err("must be a text, \"FROM..TO\"".to_owned()),
-        };
-        let ends = ends.and_then(|[from, to]| {
-            let problem = "the range is descending: write the smaller end first";
-            if from <= to { Ok([from, to]) } else { Err(problem.to_owned()) }
-        });
-        let [from, to] = ends.map_err(|why| {
-            let problem = format!("`{}` is {}", field.name(), value.in_words());
-            Fault::error(FaultCode::OutOfRange, value.span.clone(), problem).label(why)
-        })?;
-        let key = RandomSample::number(&field.name());
-        let is_whole = field.is_whole();
-        Ok(Axis::sampled(field, RandomSample { from, to, whole: is_whole, seed, key, count, latin }))
-    };
     let mut axes = Vec::new();
     for leaf in leaves(table, &mut reader.faults) {
         keys.add(leaf.field.clone(), leaf.place.clone(), "draw", &mut reader.faults);
-        axes.extend(or_fault(drawn_axis(leaf), &mut reader.faults));
+        axes.extend(or_fault(drawn_axis(leaf, count, seed, latin), &mut reader.faults));
     }
     Block::new(axes)
+}
+
+/// The values of one key, `count` between two ends.
+fn drawn_axis(
+    Leaf { field, value, .. }: Leaf<'_>,
+    count: u64,
+    seed: u64,
+    latin: bool,
+) -> Result<Axis, Fault> {
+    let ends = match &value.kind {
+        RawKind::Text(text) => ends_of(&field, text),
+        _ => Err("must be a text, \"FROM..TO\"".to_owned()),
+    };
+    let ends = ends.and_then(|[from, to]| {
+        let problem = "the range is descending: write the smaller end first";
+        if from <= to { Ok([from, to]) } else { Err(problem.to_owned()) }
+    });
+    let [from, to] = ends.map_err(|why| axis_fault(&field, value, FaultCode::OutOfRange, &why))?;
+    let key = RandomSample::number(&field.name());
+    let is_whole = field.is_whole();
+    Ok(Axis::sampled(field, RandomSample { from, to, whole: is_whole, seed, key, count, latin }))
 }
