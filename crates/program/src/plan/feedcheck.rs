@@ -32,11 +32,11 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
         ways.push(("clockwise, G2", clockwise.into()));
         ways.push(("counterclockwise, G3", other.into()));
     }
-    let program = |way: Segment| {
+    let programs = ways.into_iter().map(|(name, way): (_, Segment)| {
         let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];
-        Program::new(spec, machine, SCOPE, steps, SeamList::default())
-    };
-    ways.into_iter().map(|(name, way)| (name, program(way))).collect()
+        (name, Program::new(spec, machine, SCOPE, steps, SeamList::default()))
+    });
+    programs.collect()
 }
 
 /// The line from the origin to a point.

@@ -218,8 +218,9 @@ impl Program {
 
     /// Whether its seams are sealed at more than one temperature.
     pub fn changes_temperature(&self) -> bool {
-        let temperatures = || self.processes.iter().map(|paced| paced.process.seal.temperature);
-        temperatures().any(|temperature| Some(temperature) != temperatures().next())
+        let mut temperatures = self.processes.iter().map(|paced| paced.process.seal.temperature);
+        let first = temperatures.next();
+        temperatures.any(|temperature| Some(temperature) != first)
     }
 
     /// The steps by process.

@@ -77,25 +77,26 @@ const DAY: f64 = 86400.0;
 pub(super) fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let limits = &machine.script.limits;
     let mut refusals = Refusals::new();
-    let mut refuse = |found: String, remedy: String| {
-        refusals.push(Refusal::new(key::machine::PROFILE, RefusalCode::ProfileLimit, found, remedy));
-    };
     let processes = programs.iter().flat_map(|program| &program.processes);
     let fastest = processes.map(|paced| paced.process.seal.speed.0).fold(spec.seal.speed.0, f64::max);
     let is_cut = programs.iter().any(|program| program.purpose == Purpose::Cut);
     let work = if is_cut { "cut" } else { "seal" };
     if let Some(top) = limits.top_speed.filter(|top| top.0 < fastest) {
-        refuse(
+        refusals.push(beyond_limit(
             format!("`start` of the profile limits moves to {top}, the {work}'s speed is {}", Speed(fastest)),
             format!("VELOCITY must be at least the {work}'s speed: change that line"),
-        );
+        ));
     }
     let longest = programs.iter().map(|program| program.time).fold(0.0, f64::max).min(DAY);
     if let Some(timeout) = limits.idle_timeout.filter(|timeout| timeout.0 < longest) {
-        refuse(
+        refusals.push(beyond_limit(
             format!("`start` of the profile switches the heater off after {timeout} without a move"),
             format!("TIMEOUT must be at least the program's time, {longest:.0} s: change that line"),
-        );
+        ));
     }
     refusals
+}
+
+fn beyond_limit(fault: String, remedy: String) -> Refusal {
+    Refusal::new(key::machine::PROFILE, RefusalCode::ProfileLimit, fault, remedy)
 }

@@ -17,8 +17,7 @@ pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
         ProgramScope::Piece => design.placed().iter().map(|placed| (placed.sheet, vec![placed])).collect(),
         ProgramScope::Sheet => {
-            let placed = |sheet: usize| design.nearest_first(sheet);
-            design.sheets.iter().map(|sheet| (sheet.index, placed(sheet.index))).collect()
+            design.sheets.iter().map(|sheet| (sheet.index, design.nearest_first(sheet.index))).collect()
         }
     }
 }

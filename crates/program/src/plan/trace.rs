@@ -5,7 +5,7 @@ use crate::plan::moves::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
 use crate::plan::{Height, Program, Purpose, SeamList, Step};
 use design::Design;
-use geom::{Path, Point};
+use geom::Point;
 use sealed::{frame, laid_seams};
 use spec::{Machine, Spec};
 
@@ -20,14 +20,11 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, placed
     let cuts = Cuts::of_trace(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
     steps.extend(mark_steps(&design.stops(spec, *sheet)));
-    let mut follow = |path: &Path| {
-        let Some(start) = path.start() else { return };
-        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.moves(path))]);
-    };
     let seams = laid_seams(pieces, machine.process.ramp.0);
-    follow(&frame(pieces, &seams));
-    for seam in &seams {
-        follow(&seam.run);
+    let sheet_frame = frame(pieces, &seams);
+    for path in [&sheet_frame].into_iter().chain(seams.iter().map(|seam| &seam.run)) {
+        let Some(start) = path.start() else { continue };
+        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.moves(path))]);
     }
     steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
     let trace_scope = scope(Purpose::Trace, *sheet, placed);

@@ -85,14 +85,14 @@ impl Travel {
         }
         let TravelHabits { whole_speed, whole_ramp, bend } = habits(limits.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
-        let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         let rise = way[2].abs() / length;
         let z_speed = limits.z.speed.map_or(f64::INFINITY, |z| z.0 / rise);
         let z_acceleration = limits.z.acceleration.map_or(f64::INFINITY, |z| z.0 / rise);
-        let acceleration = limits.acceleration.map(|a| limit_along(a, whole_ramp));
+        let acceleration = limits.acceleration.map(|a| if whole_ramp { a } else { a / share });
+        let speed = if whole_speed { limits.speed } else { limits.speed / share };
         Some(Self {
             length,
-            speed: limit_along(limits.speed, whole_speed).min(z_speed),
+            speed: speed.min(z_speed),
             acceleration: acceleration.map(|a| a.min(z_acceleration)),
             entry: 0.0,
             bend,
