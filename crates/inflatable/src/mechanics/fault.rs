@@ -71,22 +71,20 @@ impl fmt::Display for HingeRatio {
 
 impl fmt::Display for HingeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out_of_range = |name: &dyn fmt::Display, found: f64, range: [f64; 2]| {
-            let [minimum, maximum] = range.map(Readable);
-            write!(f, "{name} is {}, allowed is {minimum} to {maximum}", Readable(found))
-        };
-        match *self {
-            Self::RStar { found, most } => out_of_range(&"R* = R/W", found, [0.0, most]),
-            Self::Coiling { found, least, most } => out_of_range(&"the coiling factor", found, [least, most]),
-            Self::Scale { ratio, found, least, most } => out_of_range(&ratio, found, [least, most]),
+        let (name, found, range): (&dyn fmt::Display, f64, [f64; 2]) = match self {
+            Self::RStar { found, most } => (&"R* = R/W", *found, [0.0, *most]),
+            Self::Coiling { found, least, most } => (&"the coiling factor", *found, [*least, *most]),
+            Self::Scale { ratio, found, least, most } => (ratio, *found, [*least, *most]),
             Self::Unsolved { r_star, lambda, residual } => {
-                let (r_star, lambda) = (Readable(r_star), Readable(lambda));
-                write!(
+                let (r_star, lambda) = (Readable(*r_star), Readable(*lambda));
+                return write!(
                     f,
                     "no section found at R* = {r_star}, lambda = {lambda}: the residual stays at {residual:.1e}"
-                )
+                );
             }
-        }
+        };
+        let [minimum, maximum] = range.map(Readable);
+        write!(f, "{name} is {}, allowed is {minimum} to {maximum}", Readable(found))
     }
 }
 

@@ -30,12 +30,16 @@ impl ElasticSheet {
     /// # Errors
     /// If a property is out of its range.
     pub fn new(thickness: f64, young_modulus: f64, poisson_ratio: f64) -> Result<Self, StarFault> {
-        let need = |holds: bool, symbol, found, allowed| {
-            if holds { Ok(()) } else { Err(StarFault::Dimension { symbol, found, allowed }) }
-        };
-        need(thickness > 0.0 && thickness.is_finite(), "t", thickness, "above 0")?;
-        need(young_modulus > 0.0 && young_modulus.is_finite(), "E", young_modulus, "above 0")?;
-        need(poisson_ratio > -1.0 && poisson_ratio <= 0.5, "nu", poisson_ratio, "above -1, up to 0.5")?;
+        let is_poisson_ratio = poisson_ratio > -1.0 && poisson_ratio <= 0.5;
+        for (is_allowed, symbol, found, allowed) in [
+            (thickness > 0.0 && thickness.is_finite(), "t", thickness, "above 0"),
+            (young_modulus > 0.0 && young_modulus.is_finite(), "E", young_modulus, "above 0"),
+            (is_poisson_ratio, "nu", poisson_ratio, "above -1, up to 0.5"),
+        ] {
+            if !is_allowed {
+                return Err(StarFault::Dimension { symbol, found, allowed });
+            }
+        }
         Ok(Self { thickness, young_modulus, poisson_ratio })
     }
 

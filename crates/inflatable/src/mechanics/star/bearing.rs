@@ -69,9 +69,8 @@ impl Mechanism {
     /// Angle of the tips, rad, at the inner radius `rho` (m): exact for hinges of inner radius 0, otherwise with their coiling at the tip angle
     /// `rest`, rad. That of the widest opening beyond it.
     fn tip_angle_at(&self, rho: f64, rest: f64) -> f64 {
-        let coiled = |radius: f64, arc: f64, angle: f64| radius * arc / (PI - angle);
-        let tip = coiled(self.tip_radius, self.tip().arc(), rest);
-        let corner = coiled(self.corner_radius, self.corner().arc(), rest + self.turn());
+        let tip = self.tip_radius * self.tip().arc() / (PI - rest);
+        let corner = self.corner_radius * self.corner().arc() / (PI - (rest + self.turn()));
         let width = self.inflated_width();
         let half_chord = width + tip + corner;
         let rim = self.correction.rim_offset * self.width;

@@ -110,8 +110,8 @@ impl Correction {
     /// The closed forms alone, without what shells give beyond them.
     pub fn trend(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
-        let hinge_width = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
-        let (tip, corner) = (hinge_width(star.tip().arc()), hinge_width(star.corner().arc()));
+        let [tip, corner] = [star.tip(), star.corner()]
+            .map(|hinge| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(hinge.arc() / OWN_WIDTH));
         let width = 0.5 * (tip + corner);
         let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
@@ -171,15 +171,13 @@ impl Correction {
         });
         let [smallest, middle, largest] = OPENINGS;
         let [a, b, c] = self.force_beyond;
-        let interpolate = |from: f64, step: f64, [low, high]: [f64; 2]| {
-            low + (high - low) * libm::log(opening / from) / step
+        let (start, step, [low, high]) = match opening {
+            _ if opening <= smallest => return a,
+            _ if opening <= middle => (smallest, STEPS[0], [a, b]),
+            _ if opening < largest => (middle, STEPS[1], [b, c]),
+            _ => return c,
         };
-        match opening {
-            _ if opening <= smallest => a,
-            _ if opening <= middle => interpolate(smallest, STEPS[0], [a, b]),
-            _ if opening < largest => interpolate(middle, STEPS[1], [b, c]),
-            _ => c,
-        }
+        low + (high - low) * libm::log(opening / start) / step
     }
 
     /// The stiffness of a hinge between the star's arms, from that of the table's hinge; both over p W^3.

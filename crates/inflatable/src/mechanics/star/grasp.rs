@@ -113,27 +113,19 @@ impl Grasp {
 
     /// S of an opening, m.
     fn secant(&self, opening: f64) -> f64 {
-        let [angle, max_turn] = self.angles;
-        let [radius, slope] = self.rest;
+        let [_, max_turn] = self.angles;
+        let [_, slope] = self.rest;
         let tangent = slope * slope + self.lever;
         // A star that does not open by rigid arms yields at its corners alone.
         if !(opening > 0.0 && max_turn > 0.0 && slope > 0.0) {
             return 1.0;
         }
-        // Force over k(0), and the opening by that force, with its derivative.
-        let opened_by = |turned: f64| {
-            let open = self.star.radius(angle + turned);
-            let moment = turned * (1.0 + self.growth * turned);
-            let force = moment / open.slope;
-            let steeper = (1.0 + 2.0 * self.growth * turned - force * open.curvature) / open.slope;
-            (open.value - radius + force * self.lever, open.slope + steeper * self.lever, force)
-        };
         let [mut low, mut high] = [0.0, max_turn];
         let mut turned = (opening * slope / tangent).min(0.5 * max_turn);
         let [mut force, mut reached_opening] = [0.0, opening];
         for _ in 0..STEPS {
             let rises;
-            (reached_opening, rises, force) = opened_by(turned);
+            (reached_opening, rises, force) = self.opened_by(turned);
             let remaining = opening - reached_opening;
             if remaining.abs() <= TOLERANCE * opening {
                 break;
@@ -148,6 +140,16 @@ impl Grasp {
         }
         // Where corners are straight before the arms lock, the last secant is extended.
         force * tangent / reached_opening
+    }
+
+    /// The opening, m, at which the corners have turned by `turned`, rad, with its derivative, and the force over k(0).
+    fn opened_by(&self, turned: f64) -> (f64, f64, f64) {
+        let open = self.star.radius(self.angles[0] + turned);
+        let [radius, _] = self.rest;
+        let moment = turned * (1.0 + self.growth * turned);
+        let force = moment / open.slope;
+        let steeper = (1.0 + 2.0 * self.growth * turned - force * open.curvature) / open.slope;
+        (open.value - radius + force * self.lever, open.slope + steeper * self.lever, force)
     }
 }
 

@@ -114,14 +114,6 @@ impl Mechanism {
     pub fn radius(&self, phi: f64) -> Radius {
         let sector = self.sector_sine();
         let (sin, cos) = libm::sincos(0.5 * phi);
-        // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
-        let coiled = |radius: f64, hinge: Hinge, angle: f64| {
-            if radius == 0.0 {
-                return [0.0; 3];
-            }
-            let r = radius * hinge.arc() / (PI - angle);
-            [r, r / (PI - angle), 2.0 * r / (PI - angle).powi(2)]
-        };
         let tip = coiled(self.tip_radius, self.tip(), phi);
         let corner = coiled(self.corner_radius, self.corner(), phi + self.turn());
         let width = self.inflated_width();
@@ -148,19 +140,30 @@ impl Mechanism {
         }
         let straight = PI - self.turn();
         let last = start_angle + NEARLY_STRAIGHT * (straight - start_angle);
-        let slope = |phi: f64| self.radius(phi).slope;
         let angle = if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).
             last.min(2.0 * libm::atan2(self.arm, self.inflated_width()))
-        } else if slope(last) >= 0.0 {
+        } else if self.radius(last).slope >= 0.0 {
             last
         } else {
             // The slope changes its sign between the two, so there is a root.
-            bracketed_root(start_angle, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi)))
-                .unwrap_or(start_angle)
+            bracketed_root(start_angle, last, WIDEST_TOLERANCE, |phi| {
+                Ok::<_, RootFault>(self.radius(phi).slope)
+            })
+            .unwrap_or(start_angle)
         };
         Widest { angle, radius: self.radius(angle).value }
     }
+}
+
+/// The coiled radius r = R / lambda = R alpha_0 / (pi - phi) of `hinge`, whose flat one is `radius`, with its derivatives r / (pi - phi) and
+/// 2 r / (pi - phi)^2, at its angle phi.
+fn coiled(radius: f64, hinge: Hinge, angle: f64) -> [f64; 3] {
+    if radius == 0.0 {
+        return [0.0; 3];
+    }
+    let r = radius * hinge.arc() / (PI - angle);
+    [r, r / (PI - angle), 2.0 * r / (PI - angle).powi(2)]
 }
 
 #[cfg(test)]

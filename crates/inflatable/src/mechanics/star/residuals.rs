@@ -129,12 +129,13 @@ fn read(text: &str) -> Vec<LaneBlock> {
     };
     let stars: Vec<[f64; NUMBERS]> = text.lines().filter(|line| !line.starts_with('#')).map(star).collect();
     let block = |stars: &[[f64; NUMBERS]]| {
-        let star = |lane: usize| stars.get(lane).copied().unwrap_or([0.0; NUMBERS]);
-        let places: [[f32; LENGTHS.len()]; LANES] = from_fn(|lane| halved(&from_fn(|i| star(lane)[i])));
+        let mut lanes = [[0.0; NUMBERS]; LANES];
+        lanes[..stars.len()].copy_from_slice(stars);
+        let places: [[f32; LENGTHS.len()]; LANES] = lanes.map(|star| halved(&from_fn(|i| star[i])));
         LaneBlock {
             slow: SLOW.map(|i| f32x8::new(places.map(|place| place[i]))),
             fast: FAST.map(|i| f32x8::new(places.map(|place| place[i]))),
-            weights: from_fn(|i| f32x8::new(from_fn(|lane| single(star(lane)[LENGTHS.len() + i])))),
+            weights: from_fn(|i| f32x8::new(from_fn(|lane| single(lanes[lane][LENGTHS.len() + i])))),
         }
     };
     stars.chunks(LANES).map(block).collect()

@@ -11,7 +11,7 @@
 //! hinges, with the exact ring it is softer on closing than on opening.
 
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::{Arms, Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
 use crate::mechanics::star::grasp::{Grasp, HingePair};
 use crate::mechanics::star::{Mechanism, Radius, Widest};
 use crate::numerics::bracketed_root;
@@ -109,10 +109,9 @@ impl<'a> Inflated<'a> {
 
     /// The stiffness of tip and corner in the equilibrium; the ratio does not depend on the pressure, which may be 0.
     fn weights(&self) -> [f64; 2] {
-        let weight = |hinge: Hinge, state: &HingeState| {
-            self.star.correction.stiffness_between_arms(-state.curvature / hinge.arc())
-        };
-        [weight(self.star.tip(), &self.hinges[0]), weight(self.star.corner(), &self.hinges[1])]
+        let [tip, corner] = &self.hinges;
+        [(self.star.tip(), tip), (self.star.corner(), corner)]
+            .map(|(hinge, state)| self.star.correction.stiffness_between_arms(-state.curvature / hinge.arc()))
     }
 
     /// The spring `n (C_i + C_e)` times `softness`, N m per rad.
@@ -165,15 +164,16 @@ impl<'a> Inflated<'a> {
         // equilibrium is inside; searching from it outwards avoids the far coiling of the weaker hinge.
         let [tip, corner] = self.weights();
         let start = (tip * first + corner * other) / (tip + corner);
-        let torque = |phi: f64| self.scaled_torque(phi).map(|(torque, _)| torque);
-        let at_start = torque(start)?;
+        let (at_start, _) = self.scaled_torque(start)?;
         let (low, high) = (first.min(other), first.max(other));
         let bound = if at_start > 0.0 { low } else { high };
         let mut last = start;
         for part in [0.25, 0.5, 0.75, 1.0] {
             let next = start + part * (bound - start);
-            if torque(next)? * at_start <= 0.0 {
-                return bracketed_root(last, next, ANGLE_TOLERANCE, torque);
+            if self.scaled_torque(next)?.0 * at_start <= 0.0 {
+                return bracketed_root(last, next, ANGLE_TOLERANCE, |phi| {
+                    self.scaled_torque(phi).map(|(torque, _)| torque)
+                });
             }
             last = next;
         }
@@ -195,19 +195,19 @@ impl<'a> Inflated<'a> {
         let points = f64::from(self.star.points);
         let (tip, corner) = (self.star.tip(), self.star.corner());
         let phi = phi - self.star.correction.angle_offset;
-        let state_at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
-        let (of_tip, of_corner) = (state_at(tip, phi)?, state_at(corner, phi + self.star.turn())?);
+        let of_tip = tip.state_at(self.model, phi)?;
+        let of_corner = corner.state_at(self.model, phi + self.star.turn())?;
         let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
         Ok((points * (of_tip.slope + of_corner.slope), points * spring))
     }
 
     /// Whether at the tip angle `phi` (rad) the inner rim of a hinge would have to push.
     pub fn rim_pushes(&self, phi: f64) -> bool {
-        let pushes = |hinge: Hinge, phi: f64| {
+        let hinges = [(self.star.tip(), phi), (self.star.corner(), phi + self.star.turn())];
+        hinges.into_iter().any(|(hinge, phi)| {
             let state = hinge.state_at(self.model, phi).ok();
             state.and_then(|state| state.edges).is_some_and(|edges| edges.rim_force < 0.0)
-        };
-        pushes(self.star.tip(), phi) || pushes(self.star.corner(), phi + self.star.turn())
+        })
     }
 
     /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.

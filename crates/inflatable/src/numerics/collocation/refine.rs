@@ -32,7 +32,6 @@ pub(super) fn remesh<const N: usize>(
     tolerance: f64,
 ) -> Profile<N> {
     let Profile { mesh, values } = profile;
-    let slope = |j: usize| problem.slope(mesh[j], &values[j]);
     let mut next = Profile { mesh: vec![mesh[0]], values: vec![values[0]] };
     let mut is_previous_kept = true;
     for i in 0..residuals.len() {
@@ -40,7 +39,7 @@ pub(super) fn remesh<const N: usize>(
         if residuals[i] > tolerance {
             // Fourth order: three parts bring it down by 81, two by 16.
             let parts: usize = if residuals[i] > 16.0 * tolerance { 3 } else { 2 };
-            let (f0, f1) = (slope(i), slope(i + 1));
+            let [f0, f1] = [i, i + 1].map(|j| problem.slope(mesh[j], &values[j]));
             for part in 1..parts {
                 #[expect(clippy::cast_precision_loss, reason = "two or three parts")]
                 let t = part as f64 / parts as f64;

@@ -112,8 +112,9 @@ impl Sheet {
             for i in (0..3).filter(|i| piece.edges[*i] == edge) {
                 let k = piece.stiffness;
                 if k[i][i] > 0.0 {
-                    let condensed = |a: usize, b: usize| k[a][b] - k[a][i] * k[i][b] / k[i][i];
-                    piece.stiffness = std::array::from_fn(|a| std::array::from_fn(|b| condensed(a, b)));
+                    piece.stiffness = std::array::from_fn(|a| {
+                        std::array::from_fn(|b| k[a][b] - k[a][i] * k[i][b] / k[i][i])
+                    });
                 }
                 for j in 0..3 {
                     (piece.stiffness[i][j], piece.stiffness[j][i]) = (0.0, 0.0);
@@ -146,13 +147,14 @@ impl Sheet {
                 let (start, end) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
                 let side = [0, 1].map(|c| self.points[end][c] - self.points[start][c]);
                 let square = side[0] * side[0] + side[1] * side[1];
-                let cross_product = |slope: [f64; 2]| slope[0] * side[1] - slope[1] * side[0];
                 // The other triangle runs through the edge the other way round.
                 let slopes = [
-                    cross_product(piece.flat.slopes[NEXT[i]]) - cross_product(other.flat.slopes[LAST[edge]]),
-                    cross_product(piece.flat.slopes[LAST[i]]) - cross_product(other.flat.slopes[NEXT[edge]]),
-                    cross_product(piece.flat.slopes[i]),
-                    -cross_product(other.flat.slopes[edge]),
+                    cross_product(piece.flat.slopes[NEXT[i]], side)
+                        - cross_product(other.flat.slopes[LAST[edge]], side),
+                    cross_product(piece.flat.slopes[LAST[i]], side)
+                        - cross_product(other.flat.slopes[NEXT[edge]], side),
+                    cross_product(piece.flat.slopes[i], side),
+                    -cross_product(other.flat.slopes[edge], side),
                 ];
                 let corners = [start, end, piece.corners[i], other.corners[edge]];
                 let area = piece.flat.area + other.flat.area;
@@ -283,4 +285,8 @@ fn neighbour(mesh: &Mesh, triangle: usize, edge: usize) -> Beyond {
     let side = mesh.triangle_edges[triangle].iter().position(|&other| other == edge);
     let edge = side.unwrap_or_default();
     Beyond::Neighbour { triangle, edge, corner: mesh.triangles[triangle][edge] }
+}
+
+fn cross_product(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
 }

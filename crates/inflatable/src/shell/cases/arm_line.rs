@@ -16,15 +16,16 @@ impl ArmLine {
     /// The arm whose flat rims run along `direction` (a unit vector); s counts from the origin, and only points with s within
     /// `reach` belong to it.
     pub(crate) fn new(mesh: &Mesh, direction: [f64; 2], reach: [f64; 2]) -> Self {
-        let place =
-            |point: usize| mesh.points[point][0] * direction[0] + mesh.points[point][1] * direction[1];
         let length = reach[1] - reach[0];
         let middle = f64::midpoint(reach[0], reach[1]);
         let mut weights = Vec::new();
         for edge in &mesh.edges {
             let on_rim = matches!(edge.border, Some(Border::Rim(rim::INNER | rim::OUTER)));
             let [a, b] = edge.ends;
-            let (sa, sb) = (place(a), place(b));
+            let [sa, sb] = edge.ends.map(|end| {
+                let [x, y] = mesh.points[end];
+                x * direction[0] + y * direction[1]
+            });
             let (from, to) = (sa.min(sb).max(reach[0]), sa.max(sb).min(reach[1]));
             if !on_rim || from >= to {
                 continue;
@@ -40,9 +41,7 @@ impl ArmLine {
 
     /// Direction of the line in `state`; of length 1 where the arm is neither bent nor stretched.
     pub(crate) fn direction(&self, state: &State) -> [f64; 2] {
-        let sum =
-            |c: usize| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum();
-        [sum(0), sum(1)]
+        [0, 1].map(|c| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum())
     }
 
     /// A point near its end.

@@ -127,7 +127,9 @@ impl Turning<'_> {
         for edge in self.mesh.border_edges(Border::Mirror(plane::SECOND)) {
             self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
         }
-        let mut energy_at = |by: f64| {
+        let step = 1e-3;
+        let turns = [step, -step, 2.0 * step, -2.0 * step];
+        let [forward, back, far_forward, far_back] = turns.map(|by| {
             let mut turned_state = state.clone();
             for (x, _) in turned_state.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned)
             {
@@ -135,11 +137,8 @@ impl Turning<'_> {
             }
             solver.assembly.supports.turn_plane(1, Plane::second(angle + by));
             solver.assembly.energy(&turned_state).total(self.aim.pressure)
-        };
-        let step = 1e-3;
-        let slope = (8.0 * (energy_at(step) - energy_at(-step))
-            - (energy_at(2.0 * step) - energy_at(-2.0 * step)))
-            / (12.0 * step);
+        });
+        let slope = (8.0 * (forward - back) - (far_forward - far_back)) / (12.0 * step);
         solver.assembly.supports.turn_plane(1, Plane::second(angle));
         slope
     }

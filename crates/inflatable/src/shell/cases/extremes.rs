@@ -62,9 +62,9 @@ pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> LoadedPlace {
             *rim.entry(end).or_default() += mesh.length(edge) / 2.0;
         }
     }
-    let flat_distance = |a: usize, b: usize| distance(mesh.points[a], mesh.points[b]);
     let mean = |middle: usize| {
-        let rim_near = rim.iter().filter(|(point, _)| flat_distance(middle, **point) <= band / 2.0);
+        let rim_near =
+            rim.iter().filter(|(point, _)| distance(mesh.points[middle], mesh.points[**point]) <= band / 2.0);
         let [force, length] = rim_near.fold([0.0; 2], |[force, length_sum], (point, length)| {
             [force - forces[*point][2], length_sum + length]
         });

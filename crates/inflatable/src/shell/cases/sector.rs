@@ -94,7 +94,7 @@ impl ModelledSector {
 
 /// The point of a border that is nearest to `place` on the flat sheet.
 fn nearest(mesh: &Mesh, place: [f64; 2], border: Border) -> usize {
-    let flat_distance = |point: &usize| distance(mesh.points[*point], place);
     let rim = mesh.border_edges(border).flat_map(|edge| mesh.edges[edge].ends);
-    rim.min_by(|a, b| flat_distance(a).total_cmp(&flat_distance(b))).unwrap_or_default()
+    let distances = rim.map(|point| (point, distance(mesh.points[point], place)));
+    distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(point, _)| point)
 }

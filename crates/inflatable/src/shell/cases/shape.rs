@@ -67,21 +67,23 @@ impl InflatedShape {
     /// # Errors
     /// If its parts do not fit each other.
     pub fn vtu(&self) -> Result<String, FieldFault> {
-        let mm = |x: &f64| 1e3 * x;
-        let points: Vec<[f64; 3]> = self.points.iter().map(|x| x.each_ref().map(mm)).collect();
-        let flat: Vec<f64> = self.flat.iter().flat_map(|x| [mm(&x[0]), mm(&x[1]), 0.0]).collect();
-        let part = |of: &[[f64; 2]], i: usize| -> Vec<f64> { of.iter().map(|pair| pair[i]).collect() };
+        let points: Vec<[f64; 3]> = self.points.iter().map(|point| point.map(|x| 1e3 * x)).collect();
+        let flat: Vec<f64> = self.flat.iter().flat_map(|[x, y]| [1e3 * x, 1e3 * y, 0.0]).collect();
         let fields = [
-            ("stretch", part(&self.stretch, 0)),
-            ("least stretch", part(&self.stretch, 1)),
-            ("tension, N/m", part(&self.tension, 0)),
-            ("least tension, N/m", part(&self.tension, 1)),
-            ("curvature, 1/m", part(&self.curvature, 0)),
-            ("other curvature, 1/m", part(&self.curvature, 1)),
+            ("stretch", column(&self.stretch, 0)),
+            ("least stretch", column(&self.stretch, 1)),
+            ("tension, N/m", column(&self.tension, 0)),
+            ("least tension, N/m", column(&self.tension, 1)),
+            ("curvature, 1/m", column(&self.curvature, 0)),
+            ("other curvature, 1/m", column(&self.curvature, 1)),
         ];
         let fields = fields.each_ref().map(|(name, values)| VtuField { name, components: 1, values });
         vtu(&points, &self.triangles, &[VtuField { name: "flat, mm", components: 3, values: &flat }], &fields)
     }
+}
+
+fn column(pairs: &[[f64; 2]], index: usize) -> Vec<f64> {
+    pairs.iter().map(|pair| pair[index]).collect()
 }
 
 /// The eigenvalues of a shape operator, the larger in size first.

@@ -57,21 +57,15 @@ impl Tube {
 
     /// Checks the tube with other limits of t/W from below and of 1/eps from above.
     pub(crate) fn check_within(&self, thinnest: f64, most_bendable: f64) -> Result<(), ShellFault> {
-        let range = |name, found, least: f64, most: f64| {
-            if spans(&(least..=most), found) {
-                Ok(())
-            } else {
-                Err(ShellFault::Range { name, found, least, most })
-            }
-        };
-        range(Input::Width, self.width, 1e-4, 10.0)?;
-        range(Input::Poisson, self.fabric.poisson, 0.0, MOST_POISSON)?;
-        range(Input::Stretching, self.fabric.stretch, 1e-3, 1e12)?;
-        range(Input::Bending, self.fabric.bending, 1e-15, 1e9)?;
-        range(Input::Shear, self.fabric.weave.shear, LEAST_SHEAR, MOST_SHEAR)?;
-        range(Input::Slenderness, self.slenderness(), thinnest, THICKEST)?;
-        let bendability = range(Input::Bendability, self.bendability(), 1.0, most_bendable);
-        let fault = bendability.and_then(|()| range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED));
+        check_range(Input::Width, self.width, [1e-4, 10.0])?;
+        check_range(Input::Poisson, self.fabric.poisson, [0.0, MOST_POISSON])?;
+        check_range(Input::Stretching, self.fabric.stretch, [1e-3, 1e12])?;
+        check_range(Input::Bending, self.fabric.bending, [1e-15, 1e9])?;
+        check_range(Input::Shear, self.fabric.weave.shear, [LEAST_SHEAR, MOST_SHEAR])?;
+        check_range(Input::Slenderness, self.slenderness(), [thinnest, THICKEST])?;
+        let bendability = check_range(Input::Bendability, self.bendability(), [1.0, most_bendable]);
+        let fault =
+            bendability.and_then(|()| check_range(Input::Stretch, self.stretch(), [0.0, MOST_STRETCHED]));
         // Both are in proportion to the pressure.
         let minimum = self.pressure_at(1.0);
         let maximum = self.pressure_at(most_bendable).min(MOST_STRETCHED * self.fabric.stretch / self.width);
@@ -112,4 +106,8 @@ impl Tube {
     pub fn energy(&self) -> f64 {
         self.fabric.stretch * self.width * self.width
     }
+}
+
+fn check_range(name: Input, found: f64, [least, most]: [f64; 2]) -> Result<(), ShellFault> {
+    if spans(&(least..=most), found) { Ok(()) } else { Err(ShellFault::Range { name, found, least, most }) }
 }

@@ -15,13 +15,14 @@ pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
     // The slope of corner i's linear function is -nu_i l_i / (2 A).
     let slopes = flat.slopes;
     let nu = fabric.poisson;
-    let entry = |i: usize, j: usize| {
-        let product = slopes[i][0] * slopes[j][0] + slopes[i][1] * slopes[j][1];
-        let lengths = libm::hypot(slopes[i][0], slopes[i][1]) * libm::hypot(slopes[j][0], slopes[j][1]);
-        let cosine = product / lengths;
-        fabric.bending * flat.area * 4.0 * lengths * ((1.0 - nu) * cosine * cosine + nu)
-    };
-    let mut stiffness: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    let mut stiffness = slopes.map(|first| {
+        slopes.map(|second| {
+            let product = first[0] * second[0] + first[1] * second[1];
+            let lengths = libm::hypot(first[0], first[1]) * libm::hypot(second[0], second[1]);
+            let cosine = product / lengths;
+            fabric.bending * flat.area * 4.0 * lengths * ((1.0 - nu) * cosine * cosine + nu)
+        })
+    });
     if let Some(added) = weave::bending(fabric) {
         // kappa_11, kappa_22, 2 kappa_12 by alpha of each edge.
         let by_edge: [[f64; 3]; 3] = std::array::from_fn(|i| {

@@ -20,8 +20,9 @@ impl Flat {
     pub fn new(corners: [[f64; 2]; 3]) -> Self {
         let [a, b, c] = corners;
         let twice = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-        let slope = |from: [f64; 2], to: [f64; 2]| [(from[1] - to[1]) / twice, (to[0] - from[0]) / twice];
-        Self { area: twice / 2.0, slopes: [slope(b, c), slope(c, a), slope(a, b)] }
+        let slopes = [(b, c), (c, a), (a, b)]
+            .map(|(start, end)| [(start[1] - end[1]) / twice, (end[0] - start[0]) / twice]);
+        Self { area: twice / 2.0, slopes }
     }
 }
 
@@ -41,10 +42,9 @@ impl Membrane {
     /// The triangle `flat` with its corners at `corners`.
     pub fn new(fabric: Fabric, flat: &Flat, corners: [Vector; 3]) -> Self {
         let (first, second) = (minus(corners[1], corners[0]), minus(corners[2], corners[0]));
-        let column = |axis: usize| -> Vector {
+        let columns: [Vector; 2] = [0, 1].map(|axis| {
             std::array::from_fn(|c| flat.slopes[1][axis] * first[c] + flat.slopes[2][axis] * second[c])
-        };
-        let columns = [column(0), column(1)];
+        });
         let strain = [
             (dot(columns[0], columns[0]) - 1.0) / 2.0,
             (dot(columns[1], columns[1]) - 1.0) / 2.0,
@@ -190,12 +190,10 @@ impl Membrane {
         let [s11, s22, s12] = self.stress;
         let turn = 0.5 * libm::atan2(2.0 * s12, s11 - s22);
         let (sine, cosine) = libm::sincos(turn);
-        let stretch = |x: f64, y: f64| {
-            let [e11, e22, e12] = self.strain;
-            (1.0 + 2.0 * (x * x * e11 + y * y * e22 + x * y * e12)).max(0.0).sqrt()
-        };
         let (mean, half) = (f64::midpoint(s11, s22), libm::hypot((s11 - s22) / 2.0, s12));
-        let stretches = [stretch(cosine, sine), stretch(-sine, cosine)];
+        let [e11, e22, e12] = self.strain;
+        let stretches = [(cosine, sine), (-sine, cosine)]
+            .map(|(x, y)| (1.0 + 2.0 * (x * x * e11 + y * y * e22 + x * y * e12)).max(0.0).sqrt());
         let tension =
             [(mean + half) * stretches[0] / stretches[1], (mean - half) * stretches[1] / stretches[0]];
         [tension, stretches]

@@ -72,12 +72,11 @@ impl FlatChamber {
 
     /// The chamber in units of `unit`.
     pub fn in_units(&self, unit: f64) -> Self {
-        let scaled_paths = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
         Self {
             outline: scaled(&self.outline, 1.0 / unit),
-            holes: scaled_paths(&self.holes),
-            islands: scaled_paths(&self.islands),
-            welds: scaled_paths(&self.welds),
+            holes: self.holes.iter().map(|path| scaled(path, 1.0 / unit)).collect(),
+            islands: self.islands.iter().map(|path| scaled(path, 1.0 / unit)).collect(),
+            welds: self.welds.iter().map(|path| scaled(path, 1.0 / unit)).collect(),
         }
     }
 
@@ -172,14 +171,20 @@ impl FlatChamber {
 }
 
 fn scaled(path: &Path, factor: f64) -> Path {
-    let point = |p: Point| Point::new(factor * p.x, factor * p.y);
     let segments = path.segments.iter().map(|segment| match *segment {
-        Segment::Line(line) => Segment::Line(geom::Line::new(point(line.start), point(line.end))),
+        Segment::Line(line) => {
+            Segment::Line(geom::Line::new(scaled_point(line.start, factor), scaled_point(line.end, factor)))
+        }
         Segment::Arc(arc) => {
-            Segment::Arc(geom::Arc { center: point(arc.center), radius: factor * arc.radius, ..arc })
+            let center = scaled_point(arc.center, factor);
+            Segment::Arc(geom::Arc { center, radius: factor * arc.radius, ..arc })
         }
     });
     Path { segments: segments.collect(), closed: path.closed }
+}
+
+fn scaled_point(p: Point, factor: f64) -> Point {
+    Point::new(factor * p.x, factor * p.y)
 }
 
 /// The segments of each curve, cut where another curve meets them.

@@ -107,8 +107,8 @@ impl BorderPoints {
             self.points.extend(run);
         }
         let count = piece.len();
-        let ends = |at: usize| [start + at, start + (at + 1) % count];
-        self.edges.extend(piece.into_iter().enumerate().map(|(at, piece)| (ends(at), piece)));
+        let edges = piece.into_iter().enumerate();
+        self.edges.extend(edges.map(|(at, piece)| ([start + at, start + (at + 1) % count], piece)));
     }
 
     /// Adds a piece of weld through `run` to `end`; points that are there already are shared.

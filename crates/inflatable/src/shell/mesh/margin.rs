@@ -59,36 +59,10 @@ impl Meshed {
 
     /// This mesh with a margin of this `width` beyond one rim.
     fn widened(self, rim: &RimPieces, width: f64, sizing: &Sizing) -> Result<Self, MeshFault> {
-        let edge: Vec<Segment> =
-            rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
-        let edge = trimmed(edge, rim.before).map(|edge| reversed(&edge));
-        let edge = edge.and_then(|edge| trimmed(edge, rim.after)).map(|edge| reversed(&edge));
-        let too_wide = MeshFault::Dimension {
-            name: "the margin's width",
-            found: width,
-            allowed: "a smaller one, for which there is room",
-        };
-        let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
+        let edge = self.margin_edge(rim, width)?;
         // Counterclockwise: back along the rim, out, along the cut edge, in.
+        let (rim_points, mut loop_pieces) = self.rim_loop(rim);
         let Self { mesh, mut pieces, piece_of, .. } = self;
-        let (mut rim_points, mut loop_pieces) = (Vec::new(), Vec::new());
-        for at in rim.pieces.iter().rev() {
-            let curve = pieces[*at].curve;
-            let fraction = |point: usize| {
-                curve.nearest_fraction(Point::new(mesh.points[point][0], mesh.points[point][1]))
-            };
-            let mut run: Vec<[usize; 2]> = (mesh.edges.iter().zip(&piece_of))
-                .filter(|(_, on)| **on == Some(*at))
-                .map(|(edge, _)| edge.ends)
-                .map(|[a, b]| if fraction(a) > fraction(b) { [a, b] } else { [b, a] })
-                .collect();
-            run.sort_by(|a, b| fraction(b[0]).total_cmp(&fraction(a[0])));
-            rim_points.extend(run.iter().map(|[from, _]| *from));
-            loop_pieces.extend(run.iter().map(|_| *at));
-            if *at == rim.pieces[0] {
-                rim_points.extend(run.last().map(|[_, to]| *to));
-            }
-        }
         let place = |point: &usize| Point::new(mesh.points[*point][0], mesh.points[*point][1]);
         let mut points: Vec<Point> = rim_points.iter().map(place).collect();
         let ends = [edge[0].start(), edge[edge.len() - 1].end()];
@@ -127,6 +101,44 @@ impl Meshed {
             mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
         Self::new(joined_points, triangles.collect(), pieces, &piece_at)
     }
+
+    /// The cut edge of a margin of this `width` beyond `rim`, in the direction of the rim.
+    fn margin_edge(&self, rim: &RimPieces, width: f64) -> Result<Vec<Segment>, MeshFault> {
+        let edge: Vec<Segment> =
+            rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
+        let edge = trimmed(edge, rim.before).map(|edge| reversed(&edge));
+        let edge = edge.and_then(|edge| trimmed(edge, rim.after)).map(|edge| reversed(&edge));
+        edge.filter(|edge| !edge.is_empty()).ok_or(MeshFault::Dimension {
+            name: "the margin's width",
+            found: width,
+            allowed: "a smaller one, for which there is room",
+        })
+    }
+
+    /// The points of `rim` from its last to its first, and the piece of each but the last.
+    fn rim_loop(&self, rim: &RimPieces) -> (Vec<usize>, Vec<usize>) {
+        let (mut rim_points, mut loop_pieces) = (Vec::new(), Vec::new());
+        for at in rim.pieces.iter().rev() {
+            let mut run: Vec<[(f64, usize); 2]> = (self.mesh.edges.iter().zip(&self.piece_of))
+                .filter(|(_, on)| **on == Some(*at))
+                .map(|(edge, _)| edge.ends.map(|point| (self.fraction(*at, point), point)))
+                .map(|[a, b]| if a.0 > b.0 { [a, b] } else { [b, a] })
+                .collect();
+            run.sort_by(|[a, _], [b, _]| b.0.total_cmp(&a.0));
+            rim_points.extend(run.iter().map(|[(_, start), _]| *start));
+            loop_pieces.extend(run.iter().map(|_| *at));
+            if *at == rim.pieces[0] {
+                rim_points.extend(run.last().map(|[_, (_, end)]| *end));
+            }
+        }
+        (rim_points, loop_pieces)
+    }
+
+    /// The place of `point` along the curve of a piece, from 0 to 1.
+    fn fraction(&self, piece: usize, point: usize) -> f64 {
+        let [x, y] = self.mesh.points[point];
+        self.pieces[piece].curve.nearest_fraction(Point::new(x, y))
+    }
 }
 
 /// `curve` moved by `distance` to its right; `None` if it is an arc around a centre that lies nearer.
@@ -149,15 +161,15 @@ fn trimmed(edge: Vec<Segment>, neighbour: Piece) -> Option<Vec<Segment>> {
         return Some(edge);
     };
     let direction: Vec2 = line.direction();
-    let side = |p: Point| direction.cross(p - line.start);
     let slack = 1e-12 * line.length();
-    let first = edge.iter().position(|curve| side(curve.end()) > slack)?;
+    let first = edge.iter().position(|curve| direction.cross(curve.end() - line.start) > slack)?;
     let curve = edge[first];
     let (mut low, mut high) = (0.0, 1.0);
-    if side(curve.start()) < -slack {
+    if direction.cross(curve.start() - line.start) < -slack {
         for _ in 0..ROUNDS {
             let middle = f64::midpoint(low, high);
-            if side(curve.point(middle)) < 0.0 { low = middle } else { high = middle }
+            let side = direction.cross(curve.point(middle) - line.start);
+            if side < 0.0 { low = middle } else { high = middle }
         }
     } else {
         high = 0.0;

@@ -118,19 +118,21 @@ impl Dissection {
     }
 
     fn sort_along(&self, [x, y]: [f64; 2], nodes: &mut [usize]) {
-        let place = |node: usize| self.places[node][0] * x + self.places[node][1] * y;
-        nodes.sort_by(|&a, &b| place(a).total_cmp(&place(b)).then(a.cmp(&b)));
+        nodes.sort_by(|&a, &b| {
+            let [first, second] = [a, b].map(|node| self.places[node][0] * x + self.places[node][1] * y);
+            first.total_cmp(&second).then(a.cmp(&b))
+        });
     }
 
     /// Direction of the largest second moment of the nodes' places.
     fn longest(&self, nodes: &[usize]) -> [f64; 2] {
         let count = nodes.iter().map(|_| 1.0).sum::<f64>().max(1.0);
         let mean = [0, 1].map(|k| nodes.iter().map(|&node| self.places[node][k]).sum::<f64>() / count);
-        let moment = |k: usize, l: usize| {
-            let arm = |node: usize, k: usize| self.places[node][k] - mean[k];
-            nodes.iter().map(|&node| arm(node, k) * arm(node, l)).sum::<f64>()
-        };
-        let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * moment(0, 1), moment(0, 0) - moment(1, 1)));
+        let [xy, xx, yy] = [[0, 1], [0, 0], [1, 1]].map(|axes| {
+            let arms = nodes.iter().map(|&node| axes.map(|k| self.places[node][k] - mean[k]));
+            arms.map(|[first, second]| first * second).sum::<f64>()
+        });
+        let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * xy, xx - yy));
         [cos, sin]
     }
 }

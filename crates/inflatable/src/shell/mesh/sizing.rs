@@ -27,16 +27,17 @@ impl Sizes {
     /// # Errors
     /// If a size does not fit a tube of width `w`.
     pub(super) fn check(&self, w: f64) -> Result<(), MeshFault> {
-        let fits = |found: f64, least: f64| found >= least * w && found <= w;
-        let refuse = |name, found, allowed| Err(MeshFault::Dimension { name, found, allowed });
-        match *self {
-            Self { hinge, .. } if !fits(hinge, 1e-3) => refuse("the size in hinges", hinge, "W/1000 to W"),
-            Self { point, .. } if !fits(point, 1e-6) => {
-                refuse("the size at a hinge's point", point, "W/1000000 to W")
+        let sizes = [
+            ("the size in hinges", self.hinge, 1e-3, "W/1000 to W"),
+            ("the size at a hinge's point", self.point, 1e-6, "W/1000000 to W"),
+            ("the size along arms", self.arm, 1e-3, "W/1000 to W"),
+        ];
+        for (name, found, least, allowed) in sizes {
+            if !(found >= least * w && found <= w) {
+                return Err(MeshFault::Dimension { name, found, allowed });
             }
-            Self { arm, .. } if !fits(arm, 1e-3) => refuse("the size along arms", arm, "W/1000 to W"),
-            _ => Ok(()),
         }
+        Ok(())
     }
 }
 

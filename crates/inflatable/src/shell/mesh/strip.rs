@@ -50,10 +50,9 @@ impl Strip {
             StripSide::Right => (self.right_end - self.across * radius, self.across, -arc),
         };
         let outer = radius + self.width;
-        let bow = |radius| Arc::new(center, radius, direction.angle(), sweep);
-        let outer_arc = bow(outer);
+        let outer_arc = Arc::new(center, outer, direction.angle(), sweep);
         // With a radius of 0 the rim turns on a point.
-        let inner_arc = (radius > 0.0).then(|| bow(radius));
+        let inner_arc = (radius > 0.0).then_some(Arc { radius, ..outer_arc });
         let (left, right) = match side {
             StripSide::Left => (inner_arc, Some(outer_arc)),
             StripSide::Right => (Some(outer_arc), inner_arc),
@@ -81,14 +80,16 @@ impl Strip {
 
     /// Ends across, at the border `last`.
     pub(super) fn end(self, last: Border) -> (Region, Vec<HingePlace>) {
-        let piece = |border| move |curve| Piece { curve, border };
-        let mut pieces: Vec<Piece> = self.right.iter().copied().map(piece(Border::Rim(rim::OUTER))).collect();
-        pieces.push(piece(last)(Line::new(self.right_end, self.left_end).into()));
-        let back = self.left.iter().rev().map(Segment::reversed);
-        pieces.extend(back.map(piece(Border::Rim(rim::INNER))));
+        let outer_rim = self.right.iter().copied();
+        let mut pieces: Vec<Piece> =
+            outer_rim.map(|curve| Piece { curve, border: Border::Rim(rim::OUTER) }).collect();
+        let end = Line::new(self.right_end, self.left_end);
+        pieces.push(Piece { curve: end.into(), border: last });
+        let inner_rim = self.left.iter().rev().map(Segment::reversed);
+        pieces.extend(inner_rim.map(|curve| Piece { curve, border: Border::Rim(rim::INNER) }));
         let [left, right] = self.began;
         let first = Line::new(left, right);
-        pieces.push(piece(Border::Mirror(plane::FIRST))(first.into()));
+        pieces.push(Piece { curve: first.into(), border: Border::Mirror(plane::FIRST) });
         (Region { pieces, holes: Vec::new(), welds: Vec::new() }, self.hinges)
     }
 }

@@ -50,8 +50,8 @@ impl Meshed {
                     Border::Mirror(_) => continue, // glued to the next copy
                     other => other,
                 };
-                let ends = |edge: &Edge| sorted(edge.ends.map(|end| numbers[end]));
-                piece_at.extend(self.edges_on(index).map(|edge| (ends(edge), pieces.len())));
+                let ends = self.edges_on(index).map(|edge| sorted(edge.ends.map(|end| numbers[end])));
+                piece_at.extend(ends.map(|ends| (ends, pieces.len())));
                 pieces.push(Piece { curve: copy_image.segment(&piece.curve), border });
             }
         }

@@ -103,8 +103,8 @@ fn array<const N: usize>(
 fn base64(text: &mut String, bytes: &[u8]) {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for three in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let group = (byte(0) << 16) | (byte(1) << 8) | byte(2);
+        let [first, second, third] = [0, 1, 2].map(|i| u32::from(three.get(i).copied().unwrap_or(0)));
+        let group = (first << 16) | (second << 8) | third;
         for i in 0..4 {
             let digit = usize::try_from((group >> (18 - 6 * i)) & 63).map_or(0, |digit| DIGITS[digit]);
             text.push(if i <= three.len() { char::from(digit) } else { '=' });

@@ -50,8 +50,8 @@ impl ChamberWalls {
         let mut looked_at = 0;
         let mut next: Vec<(Point, f64)> = Vec::new();
         for (i, j) in (0..SQUARES).flat_map(|i| (0..SQUARES).map(move |j| (i, j))) {
-            let middle = |k: u32| half * f64::from(2 * k + 1);
-            next.push((Point::new(bounds.min.x + middle(i), bounds.min.y + middle(j)), half));
+            let [x, y] = [i, j].map(|k: u32| half * f64::from(2 * k + 1));
+            next.push((Point::new(bounds.min.x + x, bounds.min.y + y), half));
         }
         loop {
             for (center, half) in next.drain(..) {

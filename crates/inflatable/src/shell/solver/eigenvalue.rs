@@ -71,21 +71,25 @@ fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
 
 /// The motions `kinds` of a shape as a whole, orthonormal: 0 to 2 along the axes, 3 to 5 around them.
 pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], kinds: &[usize]) -> Vec<NodeField> {
-    let raw = |k: usize, [x, y, z]: [f64; 3]| match k {
+    let mut motions: Vec<NodeField> = Vec::new();
+    for k in kinds {
+        let mut field: NodeField = points.iter().map(|x| rigid_motion(*k, *x)).collect();
+        normalise(sheet, &motions, &mut field);
+        motions.push(field);
+    }
+    motions
+}
+
+/// Motion `k` of [`rigid_motions`] at a point, not yet of unit length.
+fn rigid_motion(k: usize, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    match k {
         0 => [1.0, 0.0, 0.0],
         1 => [0.0, 1.0, 0.0],
         2 => [0.0, 0.0, 1.0],
         3 => [0.0, -z, y],
         4 => [z, 0.0, -x],
         _ => [-y, x, 0.0],
-    };
-    let mut motions: Vec<NodeField> = Vec::new();
-    for k in kinds {
-        let mut field: NodeField = points.iter().map(|x| raw(*k, *x)).collect();
-        normalise(sheet, &motions, &mut field);
-        motions.push(field);
     }
-    motions
 }
 
 /// Makes `field` of unit size, without `motions`.

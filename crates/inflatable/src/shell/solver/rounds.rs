@@ -51,14 +51,10 @@ impl Solver {
             };
             let Some(contact) = &mut self.contact else { return Ok(rest) };
             let misfit = contact.keep(state);
-            let fits = |factor: f64| {
-                misfit.penetration <= factor * PENETRATION
-                    && misfit.change <= factor * CHANGE * misfit.largest
-            };
-            if is_near && fits(1.0) {
+            if is_near && is_within(&misfit, 1.0) {
                 return Ok(rest);
             }
-            is_near = fits(NEAR);
+            is_near = is_within(&misfit, NEAR);
             let is_slow = misfit.penetration > PENETRATION.max(previous.penetration / 4.0)
                 || misfit.change > (CHANGE * misfit.largest).max(previous.change / 4.0);
             if is_slow && contact.stiffness < STIFFEST * aim.pressure {
@@ -68,4 +64,9 @@ impl Solver {
         }
         Err(Stop::Contact)
     }
+}
+
+/// Whether `misfit` is at most `factor` times what contact may leave.
+fn is_within(misfit: &ContactError, factor: f64) -> bool {
+    misfit.penetration <= factor * PENETRATION && misfit.change <= factor * CHANGE * misfit.largest
 }

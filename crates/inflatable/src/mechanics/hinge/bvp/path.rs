@@ -37,15 +37,14 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
     // One parameter t: from 0 to 1 the offset falls to 0, beyond beta grows like exp(t - 1).
     let last = 1.0 + libm::log(beta / first);
     let origin = section;
-    let place = |t: f64| PenalisedSection {
-        offset: gap * (1.0 - t).max(0.0),
-        beta: if t >= last { beta } else { first * libm::exp((t - 1.0).max(0.0)) },
-        ..origin
-    };
     let (mut t, mut step) = (0.0, 0.25);
     while t < last {
         let next = if t < 1.0 { (t + step).min(1.0) } else { (t + step).min(last) };
-        let trial = place(next);
+        let trial = PenalisedSection {
+            offset: gap * (1.0 - next).max(0.0),
+            beta: if next >= last { beta } else { first * libm::exp((next - 1.0).max(0.0)) },
+            ..origin
+        };
         match solve(&trial, solution_at_t.profile.clone(), ROUGH, MOST_INTERVALS) {
             Ok(solution) => {
                 iterations += solution.iterations;

@@ -67,10 +67,9 @@ impl PenalisedSection {
     /// Integrand of the penalised volume's derivative by lambda (envelope theorem), with its own
     /// derivative along `change`, the change of y with lambda.
     pub(super) fn slope_density(&self, s: f64, y: &[f64; 4], change: &[f64; 4]) -> Dual<1> {
-        let component = |k: usize| Dual { value: y[k], slope: [change[k]] };
         let lambda = Dual { value: self.lambda, slope: [1.0] };
-        let (u, z) = (component(2), component(3));
-        let (_, cos) = component(1).sin_cos();
+        let [phi, u, z] = [1, 2, 3].map(|k| Dual { value: y[k], slope: [change[k]] });
+        let (_, cos) = phi.sin_cos();
         let reach = (u + s) / lambda;
         let penalty = libm::exp(self.beta * (y[2] - self.offset));
         let penalty = u.chain(penalty, self.beta * penalty);

@@ -55,14 +55,25 @@ pub(super) struct TensionArc<const N: usize> {
     pub(super) reach: Dual<N>,
 }
 
+impl<const N: usize> TensionArc<N> {
+    /// Adds the point at the distance `reach` with the slope angle phi and this `weight` of ds.
+    fn add(&mut self, weight: Dual<N>, sin_phi: Dual<N>, reach: Dual<N>) {
+        let rise = weight * sin_phi;
+        let moment = rise * reach;
+        self.length = self.length + weight;
+        self.rise = self.rise + rise;
+        self.moment = self.moment + moment;
+        self.second_moment = self.second_moment + moment * reach;
+    }
+}
+
 /// The arc from `start` down to the slope angle `end`.
 pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> TensionArc<N> {
     // With theta half the slope angle from the vertical, all that is asked of the arc is an integral over theta. Where
     // the axis stays away from zero, Gauss' rule over theta serves. Where the arc nearly meets its axis, theta is
     // replaced by chi, in which the integrand stays smooth.
     let zero = Dual::constant(0.0);
-    let half = |phi: Dual<N>| (phi + FRAC_PI_2) * 0.5;
-    let (theta_start, theta_end) = (half(start.phi), half(end));
+    let [theta_start, theta_end] = [start.phi, end].map(|phi| (phi + FRAC_PI_2) * 0.5);
     let tension4 = start.tension * 4.0;
     let start_square = tension4 * theta_start.sin_cos().0.squared();
     let bottom_square = start.axis.squared() + start_square;
@@ -77,14 +88,6 @@ pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> Ten
         axis: end_axis,
         reach: start.reach + (start_square - end_drop) / (end_axis + start.axis),
     };
-    let mut add = |weight: Dual<N>, sin_phi: Dual<N>, reach: Dual<N>| {
-        let rise = weight * sin_phi;
-        let moment = rise * reach;
-        arc.length = arc.length + weight;
-        arc.rise = arc.rise + rise;
-        arc.moment = arc.moment + moment;
-        arc.second_moment = arc.second_moment + moment * reach;
-    };
     if tension4.value <= bottom_square.value {
         let span = theta_start - theta_end;
         let scale = start.tension * 2.0 * span;
@@ -94,7 +97,7 @@ pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> Ten
             let drop = tension4 * sin_square;
             let axis = (bottom_square - drop).sqrt();
             let reach = start.reach + (start_square - drop) / (axis + start.axis);
-            add(scale / axis * weight, sin_square * 2.0 - 1.0, reach);
+            arc.add(scale / axis * weight, sin_square * 2.0 - 1.0, reach);
         }
     } else {
         let root = start.tension.sqrt();
@@ -109,7 +112,7 @@ pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> Ten
             let sin_square = inverse_kappa * sin.squared();
             let cos_theta = (-sin_square + 1.0).sqrt();
             let reach = start.reach + bottom * cos - start.axis;
-            add(scale / cos_theta * weight, sin_square * 2.0 - 1.0, reach);
+            arc.add(scale / cos_theta * weight, sin_square * 2.0 - 1.0, reach);
         }
     }
     arc

@@ -45,22 +45,15 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
     Const<BRANCH>: DimMin<Const<BRANCH>, Output = Const<BRANCH>>,
 {
-    let place = |values: [f64; N]| {
-        let mut unknowns = start;
-        for (&index, value) in free.iter().zip(values) {
-            unknowns[index] = value;
-        }
-        unknowns
-    };
     let NewtonReport { point, residual, iterations } =
         newton(free.map(|index| start[index]), TOLERANCE, |values| {
-            let rows = equations(&build(place(values))?);
+            let rows = equations(&build(replaced(start, free, values))?);
             let scale = |row: usize| if row == 3 { slope_scale } else { 1.0 };
             let residuals = std::array::from_fn(|row| scale(row) * rows[row].value);
             let jacobian = std::array::from_fn(|row| free.map(|index| scale(row) * rows[row].slope[index]));
             Some((residuals, jacobian))
         })?;
-    let unknowns = place(point);
+    let unknowns = replaced(start, free, point);
     let section = build(unknowns).ok_or(NewtonFault::Stalled { residual })?;
     let rows = equations(&section);
     let jacobian = SMatrix::<f64, BRANCH, BRANCH>::from_fn(|row, column| rows[row].slope[column]);
@@ -71,6 +64,15 @@ where
     tangent[..BRANCH].copy_from_slice(change.as_slice());
     let curvature = (0..4).map(|i| section.slope.slope[i] * tangent[i]).sum();
     Ok(Solved { unknowns, section, tangent, curvature, residual, iterations })
+}
+
+/// The unknowns `start` with `values` at the indices `free`.
+fn replaced<const N: usize>(start: [f64; 4], free: [usize; N], values: [f64; N]) -> [f64; 4] {
+    let mut unknowns = start;
+    for (index, value) in free.into_iter().zip(values) {
+        unknowns[index] = value;
+    }
+    unknowns
 }
 
 /// The free section at `lambda`, whether or not it keeps the hoop inequality.

@@ -283,12 +283,13 @@ fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64
     let count = N.min(4);
     let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(N - count);
     let stencil = first..first + count;
-    let factor = |i: usize| {
-        let rest = stencil.clone().filter(move |j| *j != i);
+    Some(std::array::from_fn(|i| {
+        if !stencil.contains(&i) {
+            return 0.0;
+        }
+        let rest = stencil.clone().filter(|j| *j != i);
         rest.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
-    };
-    let weight = |i: usize| if stencil.contains(&i) { factor(i) } else { 0.0 };
-    Some(std::array::from_fn(weight))
+    }))
 }
 
 #[cfg(test)]

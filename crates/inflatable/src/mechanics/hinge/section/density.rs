@@ -149,9 +149,7 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
         }
     }
     let pull = (if exact { strains.n_s } else { strains.n_s.max(0.0) }) / strains.stretch;
-    hessian[1][1] += pull * s * s;
-    hessian[1][4] -= pull * s * c;
-    hessian[4][4] += pull * c * c;
+    add_pull(&mut hessian, pull, s, c);
     if exact {
         // Terms of k_s: phi's third derivatives along (Q'', z''), 2 (Q'' + i z'') / (Q' + i z')^3.
         let (re, im) = (
@@ -183,6 +181,14 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
         mixed,
         curvature: hoop * reach * reach,
     }
+}
+
+/// Adds the second derivatives of the stretch times the meridian's tension over the stretch, `pull`.
+#[inline]
+fn add_pull(hessian: &mut [Jet; 6], pull: f64, s: f64, c: f64) {
+    hessian[1][1] += pull * s * s;
+    hessian[1][4] -= pull * s * c;
+    hessian[4][4] += pull * c * c;
 }
 
 /// Adds the derivatives of the pressure's -lambda Q z Q' / w, with `turn` for lambda / w.

@@ -157,25 +157,28 @@ fn nodes(count: usize) -> Vec<f64> {
 
 /// Nodes at equal steps of the number of elements, whose density is 1 and the layers' `share / (reach + distance)`.
 fn graded(count: usize) -> Vec<f64> {
-    let number = |s: f64| {
-        s + INNER.share * libm::log1p(s / INNER.reach)
-            + OUTER.share * libm::log((1.0 + OUTER.reach) / (1.0 - s + OUTER.reach))
-            + FOLD.share * (libm::atan((s - 0.5) / FOLD.reach) + libm::atan(0.5 / FOLD.reach))
-    };
-    #[expect(clippy::cast_precision_loss, reason = "meshes have at most thousands of elements")]
-    let part = |i: usize| number(1.0) * i as f64 / count as f64;
+    let total = element_number(1.0);
     let mut nodes = vec![0.0];
     for i in 1..count {
+        #[expect(clippy::cast_precision_loss, reason = "meshes have at most thousands of elements")]
+        let number = total * i as f64 / count as f64;
         let (mut low, mut high) = (nodes[i - 1], 1.0);
         // 45 halvings: to rounding.
         for _ in 0..45 {
             let middle = 0.5 * (low + high);
-            *(if number(middle) > part(i) { &mut high } else { &mut low }) = middle;
+            *(if element_number(middle) > number { &mut high } else { &mut low }) = middle;
         }
         nodes.push(high);
     }
     nodes.push(1.0);
     nodes
+}
+
+/// The number of elements from the inner rim to `s`, in units of their density: the integral of [`graded`]'s density.
+fn element_number(s: f64) -> f64 {
+    s + INNER.share * libm::log1p(s / INNER.reach)
+        + OUTER.share * libm::log((1.0 + OUTER.reach) / (1.0 - s + OUTER.reach))
+        + FOLD.share * (libm::atan((s - 0.5) / FOLD.reach) + libm::atan(0.5 / FOLD.reach))
 }
 
 #[cfg(test)]

@@ -45,10 +45,11 @@ impl Moment {
 
     /// The quartic through the logarithms of the secants, which is 0 at 0.
     fn secant(&self, x: f64) -> f64 {
-        let weight = |i: usize| {
-            let other_offsets = OFFSETS.iter().enumerate().filter(move |(j, _)| *j != i);
-            other_offsets.map(move |(_, at)| (x - at) / (OFFSETS[i] - at)).product::<f64>()
-        };
-        (0..4).map(|i| self.secants[i] * x / OFFSETS[i] * weight(i)).sum()
+        let terms = (0..4).map(|i| {
+            let other_offsets = OFFSETS.iter().enumerate().filter(|(j, _)| *j != i);
+            let weight = other_offsets.map(|(_, at)| (x - at) / (OFFSETS[i] - at)).product::<f64>();
+            self.secants[i] * x / OFFSETS[i] * weight
+        });
+        terms.sum()
     }
 }

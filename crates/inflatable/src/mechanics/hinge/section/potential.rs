@@ -145,13 +145,16 @@ impl Element {
         add(&mut self.mixed[0], by_unknowns(&weighted, [m0, m1, m2]));
         add(&mut self.mixed[1], by_unknowns(&weighted, [m3, m4, m5]));
         let [qq, qz, zz] = &mut self.blocks;
-        let part = |rows: [usize; 3], columns: [usize; 3]| {
-            rows.map(|i| columns.map(|j| if i <= j { h[i][j] } else { h[j][i] }))
-        };
-        twice(qq, n, &weighted, part([0, 1, 2], [0, 1, 2]));
-        twice(qz, n, &weighted, part([0, 1, 2], [3, 4, 5]));
-        twice(zz, n, &weighted, part([3, 4, 5], [3, 4, 5]));
+        twice(qq, n, &weighted, block(h, [0, 1, 2], [0, 1, 2]));
+        twice(qz, n, &weighted, block(h, [0, 1, 2], [3, 4, 5]));
+        twice(zz, n, &weighted, block(h, [3, 4, 5], [3, 4, 5]));
     }
+}
+
+/// A block of the symmetric matrix of which `h` has the upper triangle.
+#[inline]
+fn block(h: &[Jet; 6], rows: [usize; 3], columns: [usize; 3]) -> [[f64; 3]; 3] {
+    rows.map(|i| columns.map(|j| if i <= j { h[i][j] } else { h[j][i] }))
 }
 
 /// Three derivatives of Q or z, times the contribution of each of the four unknowns to them.

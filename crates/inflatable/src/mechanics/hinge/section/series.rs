@@ -74,10 +74,10 @@ impl Series {
     /// The series in R* at nu, tau and 1/eps = `places`, each 0 to 1; `last` are sums of this series.
     pub(super) fn along_radii(&self, places: [f64; 3], last: &mut PartialSums) -> AlongRadii {
         let [nu, tau, b] = places;
-        let changed = |of: std::ops::Range<usize>| {
-            last.places[of.clone()].iter().zip(&places[of]).any(|(a, b)| a.to_bits() != b.to_bits())
-        };
-        let (fabric_changed, pressure_changed) = (changed(0..2), changed(0..3));
+        let [nu_changed, tau_changed, b_changed] =
+            from_fn(|i| last.places[i].to_bits() != places[i].to_bits());
+        let fabric_changed = nu_changed || tau_changed;
+        let pressure_changed = fabric_changed || b_changed;
         last.places = places;
         if fabric_changed {
             self.sum_over_fabrics([nu, tau], &mut last.of_fabric);

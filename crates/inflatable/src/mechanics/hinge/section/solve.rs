@@ -224,9 +224,8 @@ impl ShapeSearch {
 
     /// Newton's step and tangent, and S; gives the change of lambda, 0 unless it is `free`.
     fn direction(&mut self, free: bool) -> f64 {
-        let negative = |to: &mut Vec<f64>, of: &[f64]| to.iter_mut().zip(of).for_each(|(to, of)| *to = -of);
-        negative(&mut self.step, &self.potential.gradient);
-        negative(&mut self.tangent, &self.potential.mixed);
+        set_negative(&mut self.step, &self.potential.gradient);
+        set_negative(&mut self.tangent, &self.potential.mixed);
         self.factors.solve(&mut self.step);
         self.factors.solve(&mut self.tangent);
         self.stiffness = self.potential.curvature + dot(&self.potential.mixed, &self.tangent);
@@ -283,18 +282,14 @@ fn lumped(mesh: &MeridianMesh) -> Vec<f64> {
 
 /// An arc of length 1 that opens by `angle` (rad) to both sides; at a point on the axis it begins flat.
 fn arc(mesh: &MeridianMesh, lambda: f64, angle: f64) -> Vec<f64> {
-    let phi = |s: f64| {
-        let flat = if mesh.r_star == 0.0 { s / (s + 0.02) } else { 1.0 };
-        angle * (1.0 - 2.0 * s) * flat
-    };
     let mut shape = Vec::with_capacity(mesh.unknowns());
     let (mut q, mut z, mut previous) = (mesh.r_star / lambda, 0.0, 0.0);
     for &s in &mesh.nodes {
-        let (sin, cos) = libm::sincos(phi(0.5 * (s + previous)));
+        let (sin, cos) = libm::sincos(slope_angle(mesh.r_star, angle, 0.5 * (s + previous)));
         q += (s - previous) * cos;
         z += (s - previous) * sin;
         previous = s;
-        let (slope, rise) = libm::sincos(phi(s));
+        let (slope, rise) = libm::sincos(slope_angle(mesh.r_star, angle, s));
         shape.extend([q, rise, z, slope]);
     }
     // Back to z = 0 at the outer rim.
@@ -304,4 +299,14 @@ fn arc(mesh: &MeridianMesh, lambda: f64, angle: f64) -> Vec<f64> {
     }
     mesh.pinned().for_each(|pinned| shape[pinned] = 0.0);
     shape
+}
+
+/// The slope angle at `s` of an arc of length 1 that opens by `angle`.
+fn slope_angle(r_star: f64, angle: f64, s: f64) -> f64 {
+    let flat = if r_star == 0.0 { s / (s + 0.02) } else { 1.0 };
+    angle * (1.0 - 2.0 * s) * flat
+}
+
+fn set_negative(target: &mut [f64], values: &[f64]) {
+    target.iter_mut().zip(values).for_each(|(target, value)| *target = -value);
 }

@@ -68,9 +68,9 @@ impl Tree {
         for (new, &old) in (0..).zip(&order) {
             rank[old] = new;
         }
-        let renumber = |parent: usize| if parent == NONE { NONE } else { rank[parent] };
+        let old_parents = order.iter().map(|&old| row_parents[old]);
         Self {
-            parents: order.iter().map(|&old| renumber(row_parents[old])).collect(),
+            parents: old_parents.map(|parent| if parent == NONE { NONE } else { rank[parent] }).collect(),
             heights: order.iter().map(|&old| column_heights[old]).collect(),
             order,
             rank,
