@@ -79,12 +79,6 @@ pub(super) fn stack_payload(load: &Load, bearers: &[Bearers]) -> StackPayload {
         Some(borne.clamp(0.0, most))
     });
     let range_kg = upright.range_kg.zip(load.friction_range()).and_then(|([low, high], [least, most])| {
-        let borne = |friction: f64, end: usize| {
-            bearers
-                .iter()
-                .map(|bearer| Some(bearer.borne(friction, bearer.force.1?[end])))
-                .sum::<Option<f64>>()
-        };
         // Errors of a stack's forces are the same: all are at one end. Between them the mass is concave in the forces, because arms fold:
         // it is least at an end, and each star's most bounds the most.
         let highest_force = |bearer: &Bearers| {
@@ -92,7 +86,10 @@ pub(super) fn stack_payload(load: &Load, bearers: &[Bearers]) -> StackPayload {
             Some(low.max(high))
         };
         let highest = bearers.iter().map(highest_force).sum::<Option<f64>>()?;
-        Some([borne(least, 0)?.min(borne(least, 1)?).clamp(0.0, low), highest.clamp(0.0, high)])
+        let [first, second] = [0, 1].map(|end| {
+            bearers.iter().map(|bearer| Some(bearer.borne(least, bearer.force.1?[end]))).sum::<Option<f64>>()
+        });
+        Some([first?.min(second?).clamp(0.0, low), highest.clamp(0.0, high)])
     });
     StackPayload { kg, range_kg }
 }

@@ -42,15 +42,17 @@ pub(super) fn polled(place: UnitPoint, step: f64, varied: &[usize], round: u32) 
         let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
         if length > 0.0 { direction.iter().map(|x| x / length).collect() } else { direction }
     };
-    let direction = |k: usize, i: usize| f64::from(u8::from(i == k)) - 2.0 * normal[i] * normal[k];
-    let neighbour = |k: usize, sign: f64| {
-        let mut trial = place;
-        for (i, axis) in varied.iter().enumerate() {
-            trial[*axis] = (trial[*axis] + sign * step * direction(k, i)).clamp(0.0, 1.0);
-        }
-        trial
-    };
-    (0..varied.len()).flat_map(|k| [neighbour(k, -1.0), neighbour(k, 1.0)]).collect()
+    let neighbours = (0..varied.len()).flat_map(|k| {
+        [-1.0, 1.0].map(|sign| {
+            let mut trial = place;
+            for (i, axis) in varied.iter().enumerate() {
+                let direction = f64::from(u8::from(i == k)) - 2.0 * normal[i] * normal[k];
+                trial[*axis] = (trial[*axis] + sign * step * direction).clamp(0.0, 1.0);
+            }
+            trial
+        })
+    });
+    neighbours.collect()
 }
 
 #[cfg(test)]

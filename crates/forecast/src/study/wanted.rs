@@ -30,14 +30,15 @@ pub(super) fn by_names(
     // not exist are faults, which are all reported.
     let mut faults = Vec::new();
     let mut outputs: Vec<&'static OutputColumn> = Vec::new();
-    for Wanted { name, place } in names {
+    for wanted in names {
+        let name = &wanted.name;
         let output = all_columns().find(|output| output.name == name);
-        let fault = |code, label: &str| {
-            Fault::error(code, place.clone(), format!("`outputs` names `{name}`")).label(label)
-        };
         match output {
             Some(output) if outputs.iter().any(|other| other.name == output.name) => {
-                faults.push(fault(FaultCode::TwoColumns, "it is named twice").help("delete one of them"));
+                faults.push(
+                    output_fault(wanted, FaultCode::TwoColumns, "it is named twice")
+                        .help("delete one of them"),
+                );
             }
             Some(output) if !output.is_known(kinds) => {
                 let (problem, help) = if kinds.shells {
@@ -45,7 +46,7 @@ pub(super) fn by_names(
                 } else {
                     ("only shells have this column", "write model = \"shell\", or leave it out")
                 };
-                faults.push(fault(FaultCode::NoColumn, problem).help(help));
+                faults.push(output_fault(wanted, FaultCode::NoColumn, problem).help(help));
             }
             Some(output) => outputs.push(output),
             None => {
@@ -54,9 +55,13 @@ pub(super) fn by_names(
                     Some(near) => format!("did you mean \"{near}\"?"),
                     None => format!("columns are {}", names.join(", ")),
                 };
-                faults.push(fault(FaultCode::NoColumn, "no column has this name").help(help));
+                faults.push(output_fault(wanted, FaultCode::NoColumn, "no column has this name").help(help));
             }
         }
     }
     if faults.is_empty() { Ok(outputs) } else { Err(Faults::new(source, faults)) }
+}
+
+fn output_fault(wanted: &Wanted, code: FaultCode, label: &str) -> Fault {
+    Fault::error(code, wanted.place.clone(), format!("`outputs` names `{}`", wanted.name)).label(label)
 }

@@ -116,20 +116,28 @@ pub fn shells() -> Vec<Shell> {
 
 fn shell(line: &str) -> Option<Shell> {
     let words: Vec<&str> = line.split(' ').collect();
-    let number = |at: usize| words.get(at)?.parse::<f64>().ok();
-    let meshed = |at: usize| Some(MeshedValue { value: number(at)?, mesh_error: number(at + 1)? });
     let points: u32 = words.get(1)?.parse().ok()?;
     Some(Shell {
         fineness: (*words.first()?).to_owned(),
         points: (points > 0).then_some(points),
-        pressure: number(2)?,
-        rest: meshed(3)?,
-        stiffness: meshed(5)?,
-        force: number(7).zip(number(9)).map(|(value, mesh_error)| MeshedValue { value, mesh_error }),
+        pressure: number(&words, 2)?,
+        rest: meshed(&words, 3)?,
+        stiffness: meshed(&words, 5)?,
+        force: number(&words, 7)
+            .zip(number(&words, 9))
+            .map(|(value, mesh_error)| MeshedValue { value, mesh_error }),
         unknowns: words.get(10)?.parse().ok()?,
-        time: number(11)?,
-        memory: number(12)?,
+        time: number(&words, 11)?,
+        memory: number(&words, 12)?,
     })
+}
+
+fn number(words: &[&str], place: usize) -> Option<f64> {
+    words.get(place)?.parse().ok()
+}
+
+fn meshed(words: &[&str], place: usize) -> Option<MeshedValue> {
+    Some(MeshedValue { value: number(words, place)?, mesh_error: number(words, place + 1)? })
 }
 
 #[cfg(test)]
