@@ -1,6 +1,7 @@
 //! The judge: compares the moves of programs with the comments of the old one, by the verifier's own rules, and with the profile's limits.
 
-use crate::resume::record::{Record, StatedProcess};
+use crate::resume::header::StatedProcess;
+use crate::resume::record::Record;
 use geom::Bounds;
 use proof::verify::{Finding, FindingCode, judge_iron};
 use spec::units::Speed;
@@ -31,10 +32,10 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
 
 /// The required value instead of `set`, if `set` contradicts the program.
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
-    let feeds = || record.all_processes().map(StatedProcess::feed);
-    let contact = feeds().fold(f64::INFINITY, f64::min);
+    let feeds: Vec<f64> = record.all_processes().map(StatedProcess::feed).collect();
+    let contact = feeds.iter().copied().fold(f64::INFINITY, f64::min);
     let acceleration = record.stated_acceleration();
-    let fastest = feeds().fold(record.process.travel_speed.0, f64::max);
+    let fastest = feeds.into_iter().fold(record.process.travel_speed.0, f64::max);
     let longest = seconds.min(DAY);
     match (set, acceleration) {
         (Limits { lowest_speed: Some(lowest), .. }, _) if lowest.0 > contact * (1.0 + SLACK) => {

@@ -8,6 +8,7 @@
 
 mod fault;
 mod figures;
+mod header;
 mod judge;
 mod record;
 mod resume_at;
@@ -17,7 +18,8 @@ mod window;
 
 use crate::emit;
 use crate::resume::figures::Figures;
-use crate::resume::record::{Record, StatedProcess};
+use crate::resume::header::StatedProcess;
+use crate::resume::record::Record;
 use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};

@@ -3,7 +3,8 @@
 //! It is read again for every use, and never stored: a chopped job has a million moves.
 
 use crate::resume::ResumeFault;
-use crate::resume::record::{Record, StatedProcess};
+use crate::resume::header::StatedProcess;
+use crate::resume::record::Record;
 use geom::Bounds;
 use inflatable::numerics::last_holding;
 use program::plan::{FastTool, TravelLimits};

@@ -136,12 +136,14 @@ impl Window {
     /// the next move, because the old lines begin at a stop.
     pub(super) fn rest_from(&self, place: f64, least_length: f64) -> Option<(Vec<Segment>, usize)> {
         // A remainder of a move within rounding is ignored; the next move is used instead.
-        let move_beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
-        let last_move = move_beyond(place + least_length.max(1e-6)).or_else(|| move_beyond(place + 1e-6));
+        let ends = [place + least_length.max(1e-6), place + 1e-6];
+        let last_move =
+            ends.into_iter().find_map(|end| self.contact().find(|step| step.along + step.flat() > end));
         let last = last_move.or_else(|| self.contact().last())?;
         let begins = self.begins();
-        let part = |step: &TimedMove| self.track().part(place - begins, step.along + step.flat() - begins);
-        Some((last_move.map_or(Vec::new(), |step| part(step).segments), last.step.line))
+        let rest = last_move
+            .map(|step| self.track().part(place - begins, step.along + step.flat() - begins).segments);
+        Some((rest.unwrap_or_default(), last.step.line))
     }
 }
 
