@@ -16,7 +16,7 @@ mod table;
 use crate::coupon::strips::program_name;
 use crate::emit;
 use design::{Drawing, Layer, Origin, Refusals, SealJob, Shape, lettered};
-use geom::{Bounds, Isometry, Path, Point};
+use geom::{Bounds, Isometry, Path, Point, Vec2};
 use program::plan::{Program, Purpose, Scope, refusal_beyond, refusals, seal_program};
 use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use spec::{Machine, Spec};
@@ -131,57 +131,30 @@ pub fn coupons(
     groups: &[CouponGroup],
 ) -> Result<Vec<Coupon>, Refusals> {
     let mut coupons = Vec::new();
-    let is_wanted = |group: CouponGroup| groups.contains(&group);
-    if is_wanted(CouponGroup::Strips) {
-        for (heat, speed, height) in grid.settings() {
-            let (mut spec, mut machine) = (spec.clone(), machine.clone());
-            heat.set(&mut spec.seal);
-            spec.seal.speed = speed;
-            // The profile of the coupon states the height.
-            spec.seal.height = None;
-            let strips = grid.strips(&machine);
-            machine.process.heights.contact = height;
-            let is_own = |s: &&TestStrip| s.heat == heat && s.speed == speed && s.height == height;
-            let band = spec.seal.band.0;
-            let piece = |strip: &TestStrip| {
-                let seams = vec![Seam::weld(strip.seam())];
-                let shape = SealedShape { seams, band, cut: None, ports: Vec::new(), valves: Vec::new() };
-                CouponPiece {
-                    name: named("strip", strip.number),
-                    shape,
-                    label: Some((strip.number, strip.label(band))),
-                }
-            };
-            let pieces: Vec<CouponPiece> = strips.iter().filter(is_own).map(piece).collect();
-            let name = program_name(grid, heat, speed, height);
-            coupons.push(coupon(&spec, &machine, &name, pieces)?);
-        }
+    if groups.contains(&CouponGroup::Strips) {
+        coupons.extend(strip_coupons(spec, machine, grid)?);
     }
     let hose = hose(spec.inlet.as_ref());
     let flap = 0.5 * spec.seal.band.0 + spec.seal.allowance.0 + MARGIN;
     let edge = machine.process.ramp.0.max(10.0).max(flap);
-    let place = |name: PieceName, number: usize, pouch: &SealedShape, x: f64, y: f64| {
-        let (seam, cut) =
-            (pouch.seam_bounds().min, pouch.cut.as_ref().map_or(Bounds::EMPTY, Path::bounds).min);
-        // The cut around a corner reaches farther than the flap is wide.
-        let (right, top) = (edge.max(MARGIN + seam.x - cut.x), edge.max(MARGIN + seam.y - cut.y));
-        let shape = pouch.moved(Isometry::translation(Point::new(x + right, y + top) - seam));
-        let bounds = shape.seam_bounds();
-        let label = bounds.min.lerp(bounds.max, 0.4);
-        CouponPiece { name, shape, label: Some((number, label)) }
-    };
-    let single = |name: &str| PieceName::Named(name.to_owned());
-    if is_wanted(CouponGroup::Disc) {
+    if groups.contains(&CouponGroup::Disc) {
         let pouch = disc(DISC, hose, &spec.seal)?;
-        coupons.push(coupon(spec, machine, "disc", vec![place(single("disc"), 1, &pouch, 0.0, 0.0)])?);
+        let disc_name = PieceName::Named("disc".to_owned());
+        coupons.push(coupon(
+            spec,
+            machine,
+            "disc",
+            vec![placed_pouch(disc_name, 1, &pouch, Point::ORIGIN, edge)],
+        )?);
     }
-    if let Some(star) = spec.stars.first().filter(|_| is_wanted(CouponGroup::VActuator)) {
+    if let Some(star) = spec.stars.first().filter(|_| groups.contains(&CouponGroup::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
         // It is the only piece, and a number might lie on its band.
-        let piece = CouponPiece { label: None, ..place(single("v-actuator"), 1, &pouch, 0.0, 0.0) };
+        let name = PieceName::Named("v-actuator".to_owned());
+        let piece = CouponPiece { label: None, ..placed_pouch(name, 1, &pouch, Point::ORIGIN, edge) };
         coupons.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
-    if is_wanted(CouponGroup::Burst) {
+    if groups.contains(&CouponGroup::Burst) {
         let pouch = disc(BURST_DISC, hose, &spec.seal)?;
         let (x, y) = machine.bench.work_area.map_or((USUAL_BED, USUAL_BED), |(x, y)| (x.0, y.0));
         let bounds = pouch.seam_bounds();
@@ -192,10 +165,51 @@ pub fn coupons(
         if right >= 2.0 * w || top >= 2.0 * h {
             places.push((0.5 * right, 0.5 * top));
         }
-        let pieces = (1..).zip(places).map(|(i, (x, y))| place(named("burst", i), i, &pouch, x, y));
+        let places = places.into_iter().map(|(x, y)| Point::new(x, y));
+        let pieces =
+            (1..).zip(places).map(|(i, place)| placed_pouch(named("burst", i), i, &pouch, place, edge));
         coupons.push(coupon(spec, machine, "burst", pieces.collect())?);
     }
     Ok(coupons)
+}
+
+/// The strips of `grid`, a program for each setting.
+fn strip_coupons(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Result<Vec<Coupon>, Refusals> {
+    let coupons = grid.settings().into_iter().map(|(heat, speed, height)| {
+        let (mut spec, mut machine) = (spec.clone(), machine.clone());
+        heat.set(&mut spec.seal);
+        spec.seal.speed = speed;
+        // The profile of the coupon states the height.
+        spec.seal.height = None;
+        let strips = grid.strips(&machine);
+        machine.process.heights.contact = height;
+        let is_own = |s: &&TestStrip| s.heat == heat && s.speed == speed && s.height == height;
+        let band = spec.seal.band.0;
+        let piece = |strip: &TestStrip| {
+            let seams = vec![Seam::weld(strip.seam())];
+            let shape = SealedShape { seams, band, cut: None, ports: Vec::new(), valves: Vec::new() };
+            CouponPiece {
+                name: named("strip", strip.number),
+                shape,
+                label: Some((strip.number, strip.label(band))),
+            }
+        };
+        let pieces: Vec<CouponPiece> = strips.iter().filter(is_own).map(piece).collect();
+        let name = program_name(grid, heat, speed, height);
+        coupon(&spec, &machine, &name, pieces)
+    });
+    coupons.collect()
+}
+
+/// `pouch` with its lower left corner, flap included, at `place`, and `edge` or more around its seams; its label is its `number`.
+fn placed_pouch(name: PieceName, number: usize, pouch: &SealedShape, place: Point, edge: f64) -> CouponPiece {
+    let (seam, cut) = (pouch.seam_bounds().min, pouch.cut.as_ref().map_or(Bounds::EMPTY, Path::bounds).min);
+    // The cut around a corner reaches farther than the flap is wide.
+    let (right, top) = (edge.max(MARGIN + seam.x - cut.x), edge.max(MARGIN + seam.y - cut.y));
+    let shape = pouch.moved(Isometry::translation(place + Vec2::new(right, top) - seam));
+    let bounds = shape.seam_bounds();
+    let label = bounds.min.lerp(bounds.max, 0.4);
+    CouponPiece { name, shape, label: Some((number, label)) }
 }
 
 /// The name of piece number `number` of `kind`: "strip-7".

@@ -67,14 +67,15 @@ impl PressGrid {
 
     /// The first value that no press has, or that is stated twice, as text with the allowed ones; `None` if all are possible.
     pub fn refusal(&self) -> Option<String> {
-        let is_double =
-            |values: Vec<f64>| values.iter().enumerate().any(|(i, value)| values[..i].contains(value));
-        let temperatures = self.temperatures.iter().map(|value| value.0).collect();
-        let times = self.times.iter().map(|value| value.0).collect();
+        let temperatures: Vec<f64> = self.temperatures.iter().map(|value| value.0).collect();
+        let times: Vec<f64> = self.times.iter().map(|value| value.0).collect();
+        let is_double = [temperatures, times]
+            .iter()
+            .any(|values| values.iter().enumerate().any(|(i, value)| values[..i].contains(value)));
         out_of_range("temperature", &self.temperatures, TEMPERATURES)
             .or_else(|| out_of_range("time", &self.times, PRESS_TIMES))
             .or_else(|| {
-                (is_double(temperatures) || is_double(times))
+                is_double
                     .then(|| "a setting is given twice; `repeats` presses a setting more often".to_owned())
             })
     }
@@ -91,21 +92,24 @@ impl PressGrid {
 
     /// The cards in rows from the lower left, with bands of `band` mm.
     fn placed_cards(&self, band: f64) -> Vec<Card> {
-        #[expect(clippy::cast_precision_loss, reason = "at most some thousand strips")]
-        let count = |number: usize| number as f64;
-        let size = Vec2::new(count(self.repeats) * WIDTH + 2.0 * WASTE, LEGS + band);
+        let size = Vec2::new(float(self.repeats) * WIDTH + 2.0 * WASTE, LEGS + band);
         let settings = self
             .temperatures
             .iter()
             .flat_map(|temperature| self.times.iter().map(move |time| (*temperature, *time)));
         let card = |(index, (temperature, time)): (usize, (Temperature, Duration))| {
-            let (column, row) = (count(index % ROW), count(index / ROW));
+            let (column, row) = (float(index % ROW), float(index / ROW));
             let min = Point::new(GAP + column * (size.x + GAP), GAP + row * (size.y + BEYOND + GAP));
             let fabric = Bounds { min, max: min + size };
             Card { temperature, time, first: 1 + index * self.repeats, fabric }
         };
         settings.enumerate().map(card).collect()
     }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "at most some thousand strips")]
+fn float(number: usize) -> f64 {
+    number as f64
 }
 
 impl Card {
@@ -158,20 +162,13 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
     // settings are marks.
     let band = spec.seal.band.0;
     let cards = grid.placed_cards(band);
-    let cell = |card: &Card, number: usize, specimen: Bounds| {
-        let middle = specimen.min.y + band / 2.0;
-        let line = Line::new(Point::new(specimen.min.x, middle), Point::new(specimen.max.x, middle));
-        let words = vec![card.temperature.to_string(), card.time.to_string()];
-        GridCell { number, seam: Path::open(vec![line.into()]), specimen, words }
-    };
     let cells: Vec<GridCell> = cards
         .iter()
-        .flat_map(|card| card.specimens(grid.repeats).map(move |(number, bounds)| cell(card, number, bounds)))
+        .flat_map(|card| {
+            card.specimens(grid.repeats).map(move |(number, bounds)| cell(card, number, bounds, band))
+        })
         .collect();
-    let rectangles = |bounds: Vec<Bounds>| {
-        bounds.iter().map(|bounds| Shape::Path(Path::rectangle(bounds))).collect::<Vec<_>>()
-    };
-    let fabric = rectangles(cards.iter().map(|card| card.fabric).collect());
+    let fabric = rectangles(cards.iter().map(|card| card.fabric));
     let edges = cards.iter().map(|card| card.fabric.min.y + band).zip(&cards);
     let edges = edges.map(|(y, card)| [card.fabric.min.x, card.fabric.max.x].map(|x| Point::new(x, y)));
     let edges = edges.map(|[start, end]| Shape::Path(Path::open(vec![Line::new(start, end).into()])));
@@ -180,12 +177,24 @@ pub fn press_drawings(spec: &Spec, grid: &PressGrid) -> [(&'static str, String);
         specimens.flat_map(move |(number, bounds)| card.marks(number, &bounds, band))
     });
     let sheet = vec![(Layer::CutOutside, fabric), (Layer::Label, edges.chain(marks).collect())];
-    let paper = cards.iter().take(1).map(|card| card.paper(band)).collect();
+    let paper = cards.iter().take(1).map(|card| card.paper(band));
     [
         ("strips.svg", emit::cells(&format!("press strips: {}", spec.name), &cells, band)),
         ("cards.svg", sheet_svg("fabric cards", spec, sheet)),
         ("paper.svg", sheet_svg("paper of a card", spec, vec![(Layer::SeparatorEdge, rectangles(paper))])),
     ]
+}
+
+/// The strip `number` of `card`, with its setting.
+fn cell(card: &Card, number: usize, specimen: Bounds, band: f64) -> GridCell {
+    let middle = specimen.min.y + band / 2.0;
+    let line = Line::new(Point::new(specimen.min.x, middle), Point::new(specimen.max.x, middle));
+    let words = vec![card.temperature.to_string(), card.time.to_string()];
+    GridCell { number, seam: Path::open(vec![line.into()]), specimen, words }
+}
+
+fn rectangles(bounds: impl Iterator<Item = Bounds>) -> Vec<Shape> {
+    bounds.map(|bounds| Shape::Path(Path::rectangle(&bounds))).collect()
 }
 
 /// The `layers` on a sheet as large as they need.

@@ -24,9 +24,9 @@ pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Ref
     let (radius, half, flap) = (diameter / 2.0, seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
     let channel = Channel::of_disc(radius, hose);
-    let opened = |delta, least, beyond| channel.open_disc(radius, delta, least, beyond);
-    let (seam, cut) = opened(half, 0.0, MOUTH_OVERRUN)
-        .zip(opened(flap, 0.0, 0.0))
+    let (seam, cut) = channel
+        .open_disc(radius, half, 0.0, MOUTH_OVERRUN)
+        .zip(channel.open_disc(radius, flap, 0.0, 0.0))
         .ok_or_else(|| too_thick(hose, "disc", round_tube(diameter - 2.0 * flap)))?;
     Ok(pouch(seal, seam, Channel::mouth_cut(cut), 2.0 * channel.half_width))
 }

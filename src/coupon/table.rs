@@ -141,13 +141,13 @@ impl<'a> Table<'a> {
 
     /// The line of the record that begins at or after `place`: past ends of lines and comments.
     fn line(&self, place: usize) -> Range<usize> {
-        let end = |from: usize| self.text[from..].find('\n').map_or(self.text.len(), |n| from + n);
         let mut start = place;
         loop {
+            let end = self.text[start..].find('\n').map_or(self.text.len(), |length| start + length);
             match self.text.as_bytes().get(start) {
                 Some(b'\n' | b'\r') => start += 1,
-                Some(b'#') => start = end(start),
-                _ => return start..end(start),
+                Some(b'#') => start = end,
+                _ => return start..end,
             }
         }
     }

@@ -63,31 +63,26 @@ impl MadeCoupons {
             leaks.map(|leak| Refusal { found: format!("{}: {}", piece.name, leak.found), ..leak })
         });
         leaks.collect::<Refusals>().or_value(())?;
-        let file = |name: String, kind: Kind, text: &str| Artifact {
-            output: Output::new(kind),
-            name,
-            bytes: text.as_bytes().to_vec(),
-        };
         let mut files = vec![
-            file("spec.toml".to_owned(), Kind::Spec, sources.spec),
-            file("machine.toml".to_owned(), Kind::Machine, sources.machine),
+            file("spec.toml", Kind::Spec, sources.spec),
+            file("machine.toml", Kind::Machine, sources.machine),
         ];
         let ending = program_ending(machine.controller.dialect);
         for coupon in &coupon_list {
             let program = coupon.gcode();
-            files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &program));
+            files.push(file(&format!("{}.{ending}", coupon.name), Kind::SealGcode, program.as_str()));
             if takes_packages(machine.controller.dialect) {
                 let (name, output) =
                     (format!("{}.{ending}{PACKAGE_ENDING}", coupon.name), Output::new(Kind::Seal3mf));
                 let bytes = emit::package(&program, coupon.program.time);
                 files.extend(bytes.map(|bytes| Artifact { output, name, bytes }));
             }
-            files.push(file(format!("{}.svg", coupon.name), Kind::SealSvg, &coupon.svg));
+            files.push(file(&format!("{}.svg", coupon.name), Kind::SealSvg, coupon.svg.as_str()));
         }
         let has_strips = groups.contains(&CouponGroup::Strips);
         let strips = if has_strips { grid.strips(machine) } else { Vec::new() };
         if has_strips {
-            files.push(file(OVERVIEW.to_owned(), Kind::SealSvg, &overview(spec, grid, &strips)));
+            files.push(file(OVERVIEW, Kind::SealSvg, overview(spec, grid, &strips)));
         }
         let coupon_manifest = manifest(spec, grid, groups, &coupon_list, &files);
         Ok(Self {
@@ -100,14 +95,9 @@ impl MadeCoupons {
 
     /// The strips of `grid` for the heat press of `spec`: drawings of fabric and paper, without programs.
     pub fn pressed(spec: &Spec, sources: Sources<'_>, grid: &PressGrid) -> Self {
-        let file = |name: &str, kind: Kind, text: String| Artifact {
-            output: Output::new(kind),
-            name: name.to_owned(),
-            bytes: text.into_bytes(),
-        };
         let mut files = vec![
-            file("spec.toml", Kind::Spec, sources.spec.to_owned()),
-            file("machine.toml", Kind::Machine, sources.machine.to_owned()),
+            file("spec.toml", Kind::Spec, sources.spec),
+            file("machine.toml", Kind::Machine, sources.machine),
         ];
         let drawings = press_drawings(spec, grid);
         files.extend(drawings.into_iter().map(|(name, text)| file(name, Kind::SealSvg, text)));
@@ -169,9 +159,9 @@ impl MadeCoupons {
             let findings = findings.into_vec().into_iter();
             proof.findings.extend(findings.map(|finding| finding.in_file(&file.name)));
         }
-        let is_listed =
-            |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|file| file.name == name);
-        for name in files.names().filter(|name| !is_listed(name)) {
+        let mut listed_names = vec![MANIFEST, TABLE];
+        listed_names.extend(self.files.iter().map(|file| &*file.name));
+        for name in files.names().filter(|name| !listed_names.contains(name)) {
             let problem = "a file that the coupons do not have";
             let finding = Finding::new(FindingCode::UnnamedFile, problem, "only their files");
             proof.findings.push(finding.in_file(name));
@@ -225,6 +215,10 @@ impl MadeCoupons {
         };
         proof.files.push(FileProof { path: name.clone(), output: *output, by: method, sha256, deviation });
     }
+}
+
+fn file(name: &str, kind: Kind, text: impl Into<Vec<u8>>) -> Artifact {
+    Artifact { output: Output::new(kind), name: name.to_owned(), bytes: text.into() }
 }
 
 impl ProvenCoupons {

@@ -1,6 +1,6 @@
 //! Reads the spec and the machine profile of a published directory.
 
-use design::{Refusal, Refusals};
+use design::Refusals;
 use proof::verify::{Finding, FindingCode, OutputFiles};
 use spec::{DrawingSpec, Faults, Machine, Reading, Source};
 
@@ -36,6 +36,7 @@ fn source_of<T>(
 
 /// The refusals of the directory's design, as findings.
 pub(super) fn refused(refusals: Refusals) -> Vec<Finding> {
-    let finding = |refusal: Refusal| Finding::new(refusal.code, refusal.found, refusal.remedy);
-    refusals.into_iter().map(|refusal| finding(refusal).in_file("spec.toml")).collect()
+    let findings =
+        refusals.into_iter().map(|refusal| Finding::new(refusal.code, refusal.found, refusal.remedy));
+    findings.map(|finding| finding.in_file("spec.toml")).collect()
 }

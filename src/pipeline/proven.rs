@@ -95,10 +95,10 @@ impl PublishedBuild {
             return coupons.files.iter().map(|entry| entry.path.clone()).collect();
         }
         let request = self.written.as_ref().map_or(KindRequest::default(), Manifest::request);
-        let outputs = |forecast: &Forecast| {
+        let output_lists = self.forecast.iter().map(|forecast| {
             outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, &request)
-        };
-        self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
+        });
+        output_lists.flatten().map(|output| output.name()).collect()
     }
 
     /// The length of each file, bytes, as stated in the manifest.
@@ -125,10 +125,9 @@ impl PublishedBuild {
             Err(findings) => return Proof { findings, ..Proof::default() },
         };
         let mut proof = prove_claimed(&forecast, self.written.as_ref(), files);
-        let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
-        if let (Some(manifest), Some(spec), Some(machine)) =
-            (self.written, text("spec.toml"), text("machine.toml"))
-        {
+        let [spec, machine] = ["spec.toml", "machine.toml"]
+            .map(|name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()));
+        if let (Some(manifest), Some(spec), Some(machine)) = (self.written, spec, machine) {
             let sources = Sources { spec, machine };
             if manifest.tool == Tool::current() {
                 compare_anew(&forecast, sources, &manifest.request(), files, &mut proof);
@@ -149,9 +148,8 @@ impl PublishedBuild {
         };
         let finding = Finding::new(FindingCode::Manifest, problem, right);
         let wanted_names = self.required_names();
-        let is_ours =
-            |name: &str| name == MANIFEST || wanted_names.iter().any(|wanted_names| wanted_names == name);
-        let foreign = files.names().filter(|name| !is_ours(name)).map(|name| {
+        let is_foreign = |name: &&str| *name != MANIFEST && wanted_names.iter().all(|wanted| wanted != name);
+        let foreign = files.names().filter(is_foreign).map(|name| {
             Finding::new(FindingCode::UnnamedFile, "it is not a file of the build", "the files of the build")
                 .in_file(name)
         });
