@@ -4,7 +4,7 @@
 
 use crate::emit::palette::ink;
 use design::{Drawing, Layer, Shape};
-use geom::{Path, Point, Segment};
+use geom::{Path, Point, Segment, Vec2};
 use program::number::Decimals;
 use program::text::filled;
 use spec::Colours;
@@ -37,19 +37,25 @@ pub fn dxf(drawing: &Drawing, path: Length, colours: Colours) -> String {
         }
     }
     let corner = drawing.corner();
-    let number = |x: f64| writer.decimals.text(x);
+    let (high, middle) = (
+        corner + Vec2::new(drawing.width, drawing.height),
+        corner + Vec2::new(drawing.width / 2.0, drawing.height / 2.0),
+    );
+    let numbers = [corner.x, corner.y, high.x, high.y, drawing.height, middle.x, middle.y];
+    let [min_x, min_y, max_x, max_y, height, center_x, center_y] =
+        numbers.map(|number| writer.decimals.text(number));
     filled(
         SKELETON,
         ["@", "@"],
         &[
             ("HANDSEED", &format!("{:X}", writer.handle)),
-            ("MIN_X", &number(corner.x)),
-            ("MIN_Y", &number(corner.y)),
-            ("MAX_X", &number(corner.x + drawing.width)),
-            ("MAX_Y", &number(corner.y + drawing.height)),
-            ("HEIGHT", &number(drawing.height)),
-            ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
-            ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
+            ("MIN_X", &min_x),
+            ("MIN_Y", &min_y),
+            ("MAX_X", &max_x),
+            ("MAX_Y", &max_y),
+            ("HEIGHT", &height),
+            ("CENTER_X", &center_x),
+            ("CENTER_Y", &center_y),
             ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
             ("LAYERS", &layers),
             ("ENTITIES", &writer.out),
@@ -115,11 +121,11 @@ impl DxfWriter {
 
     fn polyline(&mut self, layer: Layer, path: &Path) {
         self.entity("LWPOLYLINE", layer, "AcDbPolyline");
-        let segments = || path.segments.iter().flat_map(halved);
+        let segments: Vec<Segment> = path.segments.iter().flat_map(halved).collect();
         let open_end = path.end().filter(|_| !path.closed);
-        self.tag(" 90", &(segments().count() + usize::from(open_end.is_some())).to_string());
+        self.tag(" 90", &(segments.len() + usize::from(open_end.is_some())).to_string());
         self.tag(" 70", if path.closed { "1" } else { "0" });
-        for segment in segments() {
+        for segment in segments {
             self.vertex(segment.start());
             if let Segment::Arc(arc) = segment {
                 self.tag(" 42", &Decimals::exactly(BULGE).text(arc.bulge()));

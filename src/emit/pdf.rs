@@ -22,13 +22,9 @@ const DECIMALS: u32 = 4;
 /// The pages as a PDF document.
 pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
     let mut pdf = Pdf::new();
-    let mut next = 1;
-    let mut fresh = || {
-        next += 1;
-        Ref::new(next - 1)
-    };
-    let (catalog, tree, info) = (fresh(), fresh(), fresh());
-    let ids: Vec<(Ref, Ref)> = pages.iter().map(|_| (fresh(), fresh())).collect();
+    let [catalog, tree, info] = [1, 2, 3].map(Ref::new);
+    let ids: Vec<(Ref, Ref)> =
+        pages.iter().zip((4..).step_by(2)).map(|(_, id)| (Ref::new(id), Ref::new(id + 1))).collect();
     let mut root = pdf.catalog(catalog);
     let _ = root.pages(tree);
     // Programs that print would otherwise offer to fit the page to the paper.

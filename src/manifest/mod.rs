@@ -40,9 +40,9 @@ pub fn manifest_of(
         None => programs.iter().flat_map(pieces).collect(),
     };
     let coated = assembly.filter(|_| spec.mask.kind == MaskKind::Coating);
-    let parts = || design.placed().iter().map(|placed| design.part(placed));
-    let fabric = parts().map(|part| thousandths(part.fabric())).sum();
-    let mass = parts().map(|part| part.mass(&spec.fabric).map(thousandths));
+    let parts = design.placed().iter().map(|placed| design.part(placed));
+    let fabric = parts.clone().map(|part| thousandths(part.fabric())).sum();
+    let mass = parts.map(|part| part.mass(&spec.fabric).map(thousandths));
     let at_pressure = prediction.filter(|prediction| prediction.first.bendability.is_some());
     Manifest {
         tool: Tool::current(),

@@ -111,8 +111,9 @@ fn add_chunk(file: &mut Vec<u8>, name: [u8; 4], content: &[u8]) -> Option<()> {
 
 /// CRC-32 of `bytes`, four bits at a time.
 pub(in crate::emit) fn crc32(bytes: &[u8]) -> u32 {
-    let next = |crc: u32| REMAINDERS[(crc & 15) as usize] ^ (crc >> 4);
-    !bytes.iter().fold(u32::MAX, |crc, byte| next(next(crc ^ u32::from(*byte))))
+    !bytes.iter().fold(u32::MAX, |crc, byte| {
+        (0..2).fold(crc ^ u32::from(*byte), |crc, _| REMAINDERS[(crc & 15) as usize] ^ (crc >> 4))
+    })
 }
 
 const fn remainders() -> [u32; 16] {

@@ -57,16 +57,16 @@ fn mark_element(page: &SvgPage, mark: &Mark) -> Element {
 }
 
 fn line(page: &SvgPage, path: &Path, pen: Pen) -> Element {
-    let number = |x: f64| Decimals::exactly(3).text(x);
+    let decimals = Decimals::exactly(3);
     let mut element = Element::new("path");
     element.assign("d", page.data(std::slice::from_ref(path)));
     element.assign("fill", "none");
     element.assign("stroke", color(pen.ink));
-    element.assign("stroke-width", number(pen.width));
+    element.assign("stroke-width", decimals.text(pen.width));
     element.assign("stroke-linejoin", "round");
     element.assign("stroke-linecap", "round");
     if let Some([dash, gap]) = pen.dash {
-        element.assign("stroke-dasharray", format!("{} {}", number(dash), number(gap)));
+        element.assign("stroke-dasharray", format!("{} {}", decimals.text(dash), decimals.text(gap)));
     }
     element
 }

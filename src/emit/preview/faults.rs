@@ -12,8 +12,13 @@ const LINE: usize = 110;
 
 /// The text without the special characters of XML and those that may have no glyph.
 fn legible(text: &str) -> String {
-    let plain = |c: char| (c.is_ascii_graphic() || c == ' ') && !matches!(c, '<' | '>' | '&');
-    text.chars().map(|c| if plain(c) { c } else { '_' }).collect()
+    let legible = text.chars().map(|c| match c {
+        '<' | '>' | '&' => '_',
+        ' ' => ' ',
+        _ if c.is_ascii_graphic() => c,
+        _ => '_',
+    });
+    legible.collect()
 }
 
 /// A fault, with its place if that is known.

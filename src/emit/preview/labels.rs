@@ -168,9 +168,10 @@ fn draw_callout(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
     let Callout { at: anchor, along: direction, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     // Straight ahead first, then ever farther to both sides.
-    let turn = |way: u32| f64::from(way.div_ceil(2)) * if way.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let turns =
+        (0..WAYS).map(|way| f64::from(way.div_ceil(2)) * if way.is_multiple_of(2) { 1.0 } else { -1.0 });
     let ways: Vec<Vec2> =
-        (0..WAYS).map(|way| Vec2::unit(direction.angle() + turn(way) * TAU / f64::from(WAYS))).collect();
+        turns.map(|turn| Vec2::unit(direction.angle() + turn * TAU / f64::from(WAYS))).collect();
     let (sizes, reaches) =
         if places.tried_places() < MANY { (&SIZES[..], &REACHES[..]) } else { (&SIZES[..1], &REACHES[..2]) };
     for size in sizes.iter().map(|share| share * callout.size) {

@@ -179,15 +179,11 @@ impl<'a> StackView<'a> {
         // All heights count from the foot of the stack. The object and its table come first, then posts, plates and
         // stars. Labels of stars stand at the left and those of plates at the right, spaced where they would overlap.
         let (design, frame) = (self.assembly, &self.assembly.frame);
-        let point_at = |x: f64, z: f64| foot + Vec2::new(x, z);
-        let block = |half: f64, from: f64, to: f64| {
-            Path::rectangle(&Bounds { min: point_at(-half, from), max: point_at(half, to) })
-        };
         if let Some(SideObject { profile, table, .. }) = &self.side {
             let profile = Isometry { shift: foot - Point::ORIGIN, ..Isometry::rotation(0.0) }.path(profile);
             group.area(vec![profile.clone()], OBJECT);
             group.line(profile, style.pen(GREY, 0.7));
-            let [from, to] = [-frame.radius, frame.radius].map(|x| point_at(x, *table));
+            let [from, to] = [-frame.radius, frame.radius].map(|x| foot + Vec2::new(x, *table));
             group.line(straight(from, to), style.pen(TEXT, 0.7));
         }
         let plates: Vec<(usize, f64, f64)> = frame
@@ -199,15 +195,15 @@ impl<'a> StackView<'a> {
         for post in &frame.posts {
             let half = frame.post_diameter / 2.0;
             let area = Bounds {
-                min: point_at(post.x - half, 0.0),
-                max: point_at(post.x + half, design.stack.height),
+                min: foot + Vec2::new(post.x - half, 0.0),
+                max: foot + Vec2::new(post.x + half, design.stack.height),
             };
             group.line(Path::rectangle(&area), style.pen(IRON, 0.8));
         }
         for (_, opening, z) in &plates {
             let (low, high) = (z - frame.thickness / 2.0, z + frame.thickness / 2.0);
-            group.line(block(frame.radius, low, high), style.pen(GREY, 1.2));
-            group.line(block(*opening, low, high), style.dashes(GREY, 1.0));
+            group.line(block(foot, frame.radius, low, high), style.pen(GREY, 1.2));
+            group.line(block(foot, *opening, low, high), style.dashes(GREY, 1.0));
         }
         for (star, z) in design.stars.iter().zip(&design.stack.stars) {
             let geometry = &design.part(star).star;
@@ -215,8 +211,8 @@ impl<'a> StackView<'a> {
             let shut = self.preview.shut.get(star.index - 1);
             let half = shut.map_or(round_tube(geometry.w), |to| tube_height(geometry.w, to.width)) / 2.0;
             let ink = star_ink(star.index);
-            group.line(block(geometry.tip_reach(), z - half, z + half), style.pen(ink, 2.0));
-            group.line(block(geometry.rho_0, z - half, z + half), style.dashes(ink, 1.0));
+            group.line(block(foot, geometry.tip_reach(), z - half, z + half), style.pen(ink, 2.0));
+            group.line(block(foot, geometry.rho_0, z - half, z + half), style.dashes(ink, 1.0));
         }
         let left: Vec<(String, f64)> =
             (1..).zip(&design.stack.stars).map(|(i, z)| (format!("star {i}"), *z)).collect();
@@ -224,11 +220,16 @@ impl<'a> StackView<'a> {
         for (labels, side, anchor) in [(left, -1.0, Anchor::End), (right, 1.0, Anchor::Start)] {
             let x = side * (frame.radius + 0.8 * style.unit);
             for (content, z) in spaced(labels, style) {
-                let label_place = point_at(x, z - 0.35 * style.unit);
+                let label_place = foot + Vec2::new(x, z - 0.35 * style.unit);
                 group.text(Text { at: label_place, size: style.unit, anchor, ink: TEXT, content });
             }
         }
     }
+}
+
+/// The rectangle from `low` to `high` above `foot`, `half` to both sides of it.
+fn block(foot: Point, half: f64, low: f64, high: f64) -> Path {
+    Path::rectangle(&Bounds { min: foot + Vec2::new(-half, low), max: foot + Vec2::new(half, high) })
 }
 
 impl SideObject {

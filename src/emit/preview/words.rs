@@ -172,7 +172,6 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     // limits of the machine. Only what is on the sheet has a row, since a row without its line would mislead; a laser's ramps
     // are called by what they do to its beam.
     let mut block = Block::new("On the sheet");
-    let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
     let names = band_processes(preview, sheet);
     for name in &names {
@@ -183,13 +182,16 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     let mut seams =
         preview.programs.iter().filter(|program| program.sheet == sheet).flat_map(|program| &program.seams);
     if seams.any(|seam| seam.overlap > 0.0) {
-        block.explain(line(TWICE, 2.5), "sealed twice");
+        block.explain(Swatch::Line(style.pen(TWICE, 2.5)), "sealed twice");
     }
     let is_laser = preview.machine.controller.laser.is_some();
-    block.explain(line(RAMP, 2.0), if is_laser { "laser off" } else { "iron goes down or up" });
+    block.explain(
+        Swatch::Line(style.pen(RAMP, 2.0)),
+        if is_laser { "laser off" } else { "iron goes down or up" },
+    );
     block.explain(Swatch::Dot(START), "start, with its order");
     block.explain(Swatch::Area(FABRIC), "flap");
-    block.explain(line(CUT, 1.0), "cut, registration holes");
+    block.explain(Swatch::Line(style.pen(CUT, 1.0)), "cut, registration holes");
     let is_star = preview.design.assembly().is_some();
     let line_name = if is_star { "hinge as drawn" } else { "edge as drawn" };
     block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), line_name);
@@ -208,8 +210,8 @@ fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
 fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'static> {
     let Preview { spec, shut, .. } = preview;
     let mut block = Block::new(format!("Stack, {:.1} mm high", design.stack.height));
-    let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
-    block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");
+    block
+        .explain(Swatch::Line(style.pen(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 })), "star, flat");
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     if let Some(first) = shut.first() {
         let is_on_object = object.is_some_and(|object| object.0 >= first.inner_radius * (1.0 - 1e-9));
@@ -219,12 +221,18 @@ fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'s
         if widths.iter().all(|width| *width == widths[0]) {
             widths.truncate(1);
         }
-        block.explain(line(star_ink(1), 2.8), format!("shut{suffix}: {} mm across", widths.join(", ")));
+        block.explain(
+            Swatch::Line(style.pen(star_ink(1), 2.8)),
+            format!("shut{suffix}: {} mm across", widths.join(", ")),
+        );
     }
     if let Some(object) = object {
         block.explain(Swatch::Area(OBJECT), format!("object, {} mm across", Readable(2.0 * object.0)));
     }
-    block.explain(line(GREY, 1.2), format!("plates, {:.1} mm across", 2.0 * design.frame.radius));
+    block.explain(
+        Swatch::Line(style.pen(GREY, 1.2)),
+        format!("plates, {:.1} mm across", 2.0 * design.frame.radius),
+    );
     block.explain(Swatch::Line(style.dashes(GREY, 1.0)), "their openings");
     block.explain(Swatch::Dot(IRON), format!("{} posts", design.frame.posts.len()));
     block

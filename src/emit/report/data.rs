@@ -13,7 +13,7 @@ use forecast::prediction::{Prediction, Verdict};
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
 use program::plan::process_times;
-use spec::{Machine, Setting, Source, drawing_settings, settings};
+use spec::{Load, Machine, Setting, Source, drawing_settings, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
 const DIGITS: i32 = 6;
@@ -29,23 +29,12 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             let _ = bill.remove(key);
         }
     }
-    let load = spec.load.as_ref().map(|load| {
-        json!({
-            "pressure_kPa": load.pressure.map(|p| p.0),
-            "object_radius_mm": load.object_radius.map(|radius| radius.0),
-            "friction": load.friction,
-            "friction_least": load.friction_least,
-            "friction_most": load.friction_most,
-            "mass_kg": load.mass.map(|mass| mass.0),
-            "largest_force_N": load.largest_force.map(|force| force.0),
-        })
-    });
     let mut data = json!({
         "name": spec.name,
         "bill": bill,
         "prediction": prediction,
         "remarks": prediction.and_then(|all| all.verdict.as_ref()).map_or_else(Vec::new, Verdict::remarks),
-        "load": load,
+        "load": spec.load.as_ref().map(load),
         "tone": tone(report),
         "settings": own_settings(report),
         "machine": machine(report.machine),
@@ -83,6 +72,18 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         data["seal"]["speed"] = json!(press.pressure_in_bar());
     }
     data
+}
+
+fn load(load: &Load) -> Value {
+    json!({
+        "pressure_kPa": load.pressure.map(|p| p.0),
+        "object_radius_mm": load.object_radius.map(|radius| radius.0),
+        "friction": load.friction,
+        "friction_least": load.friction_least,
+        "friction_most": load.friction_most,
+        "mass_kg": load.mass.map(|mass| mass.0),
+        "largest_force_N": load.largest_force.map(|force| force.0),
+    })
 }
 
 /// The processes in the order of sealing; none where every seam is sealed once by that of `[seal]`.

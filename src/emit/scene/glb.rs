@@ -82,8 +82,8 @@ impl Glb {
         // glTF refers to everything by index, so the nodes of all groups get their numbers before the groups that hold
         // them. Nodes whose mesh has a closed shape are animated together.
         let nodes: Vec<&Node> = groups.iter().flat_map(|(_, nodes)| nodes).collect();
-        let moves = |node: &Node| self.meshes[node.mesh].get("weights").is_some();
-        let moving: Vec<usize> = (0..nodes.len()).filter(|i| moves(nodes[*i])).collect();
+        let moving: Vec<usize> =
+            (0..nodes.len()).filter(|i| self.meshes[nodes[*i].mesh].get("weights").is_some()).collect();
         let mut node_values: Vec<Value> = nodes.into_iter().map(node).collect();
         let mut first = 0;
         let mut roots = Vec::new();
@@ -140,12 +140,12 @@ impl Glb {
     /// Vectors in mm, +Z up, with their box.
     fn vectors(&mut self, vectors: &[[f64; 3]]) -> usize {
         let vectors: Vec<[f32; 3]> = vectors.iter().map(|v| y_up(*v).map(single)).collect();
-        let fold = |pick: fn(f32, f32) -> f32| {
+        let [least, most] = [f32::min, f32::max].map(|pick: fn(f32, f32) -> f32| {
             let extreme = vectors.iter().copied().reduce(|a, b| [0, 1, 2].map(|k| pick(a[k], b[k])));
             extreme.unwrap_or_default().map(f64::from)
-        };
+        });
         let description = json!({
-            "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": fold(f32::min), "max": fold(f32::max),
+            "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": least, "max": most,
         });
         let bytes: Vec<u8> = vectors.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         self.accessor(&bytes, VERTICES, description)
@@ -153,15 +153,14 @@ impl Glb {
 
     /// All nodes that move do so at once.
     fn animation(&mut self, nodes: &[usize]) -> Value {
-        let mut scalars = |values: &[f32]| {
+        let [input, output] = [&TIMES[..], &WEIGHTS[..]].map(|values: &[f32]| {
             let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
             let ends = [values.first(), values.last()].map(|x| [f64::from(x.copied().unwrap_or_default())]);
             self.accessor(&bytes, 0, json!({
                 "componentType": FLOAT, "count": values.len(), "type": "SCALAR", "min": ends[0], "max": ends[1],
             }))
-        };
-        let sampler =
-            json!({ "input": scalars(&TIMES), "output": scalars(&WEIGHTS), "interpolation": "LINEAR" });
+        });
+        let sampler = json!({ "input": input, "output": output, "interpolation": "LINEAR" });
         let channel = |node: &usize| json!({ "sampler": 0, "target": { "node": node, "path": "weights" } });
         json!({ "name": "inflate", "samplers": [sampler], "channels": nodes.iter().map(channel).collect::<Vec<_>>() })
     }
@@ -200,9 +199,9 @@ fn node(node: &Node) -> Value {
         value["translation"] = json!(translation);
     }
     if node.turn != 0.0 {
-        let round = |x: f64| Decimals::exactly(DECIMALS[1]).round(x);
         let (sin, cos) = libm::sincos(node.turn / 2.0);
-        value["rotation"] = json!([0.0, round(sin), 0.0, round(cos)]);
+        let [sin, cos] = [sin, cos].map(|number| Decimals::exactly(DECIMALS[1]).round(number));
+        value["rotation"] = json!([0.0, sin, 0.0, cos]);
     }
     value
 }
@@ -220,7 +219,6 @@ fn y_up([x, y, z]: [f64; 3]) -> [f64; 3] {
 fn container(mut text: Vec<u8>, mut numbers: Vec<u8>) -> Vec<u8> {
     text.resize(text.len().next_multiple_of(4), b' ');
     numbers.resize(numbers.len().next_multiple_of(4), 0);
-    let length = |bytes: &[u8]| u32::try_from(bytes.len()).unwrap_or(u32::MAX);
     let total_length = length(&text).saturating_add(length(&numbers)).saturating_add(28);
     let head = [u32::from_le_bytes(*b"glTF"), 2, total_length];
     let mut container: Vec<u8> = head.iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -230,4 +228,8 @@ fn container(mut text: Vec<u8>, mut numbers: Vec<u8>) -> Vec<u8> {
         container.extend(bytes);
     }
     container
+}
+
+fn length(bytes: &[u8]) -> u32 {
+    u32::try_from(bytes.len()).unwrap_or(u32::MAX)
 }

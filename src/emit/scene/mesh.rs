@@ -98,12 +98,12 @@ impl Mesh {
 
     /// Takes the wall on a closed polygon, too, its outside where the solid is not.
     fn wall(&mut self, corners: &[Point], is_hole: bool, [low, high]: [f64; 2]) {
-        let next = |i: usize| corners[(i + 1) % corners.len()];
-        let doubled: f64 = corners.iter().enumerate().map(|(i, p)| p.x * next(i).y - p.y * next(i).x).sum();
+        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+        let doubled: f64 = edges.clone().map(|(p, next)| p.x * next.y - p.y * next.x).sum();
         // The solid has to lie on the left: counterclockwise around it, clockwise around a hole.
         let turned = (doubled < 0.0) != is_hole;
-        for (i, p) in corners.iter().enumerate() {
-            let (from, to) = if turned { (next(i), *p) } else { (*p, next(i)) };
+        for (p, next) in edges {
+            let (from, to) = if turned { (next, p) } else { (p, next) };
             self.quad([[from.x, from.y, low], [to.x, to.y, low], [to.x, to.y, high], [from.x, from.y, high]]);
         }
     }
@@ -178,11 +178,12 @@ impl Mesh {
     fn flat(buffers: &Buffers, z: f64) -> Self {
         let points: Vec<[f64; 3]> =
             buffers.vertices.iter().map(|p| [f64::from(p.x), f64::from(p.y), z]).collect();
-        let upwards = |[a, b, c]: [u32; 3]| {
+        let upwards = |corners: &[u32]| {
+            let [a, b, c] = [corners[0], corners[1], corners[2]];
             let [[x1, y1, _], [x2, y2, _], [x3, y3, _]] = [a, b, c].map(|i| points[i as usize]);
             if (x2 - x1) * (y3 - y1) - (y2 - y1) * (x3 - x1) < 0.0 { [a, c, b] } else { [a, b, c] }
         };
-        let triangles = buffers.indices.chunks_exact(3).map(|t| upwards([t[0], t[1], t[2]])).collect();
+        let triangles = buffers.indices.chunks_exact(3).map(upwards).collect();
         Self { points, inflated: Vec::new(), triangles }
     }
 }
@@ -207,13 +208,12 @@ pub(super) fn index(n: usize) -> u32 {
 /// The paths for lyon. Their arcs are chords already, cut in double precision.
 fn outline(paths: &[Path]) -> Outline {
     let mut builder = Outline::builder();
-    let float_point = |p: Point| point(single(p.x), single(p.y));
     for path in paths {
-        let mut corners = chords(path, CHORD).into_iter();
+        let mut corners = chords(path, CHORD).into_iter().map(|p| point(single(p.x), single(p.y)));
         let Some(first) = corners.next() else { continue };
-        let _ = builder.begin(float_point(first));
+        let _ = builder.begin(first);
         for corner in corners {
-            let _ = builder.line_to(float_point(corner));
+            let _ = builder.line_to(corner);
         }
         builder.end(path.closed);
     }
