@@ -14,10 +14,6 @@ pub fn shape_leaks(shape: &SealedShape, is_star: bool) -> Vec<Refusal> {
 /// remedy.
 fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
     let seam = |number: &usize| seam_in_words(is_star, &shape.seams[*number].name);
-    // Seams meet in one place at least.
-    let listed_places = |places: &[Point]| {
-        format!("{} places, first at X {:.1} Y {:.1} mm", places.len(), places[0].x, places[0].y)
-    };
     let (key, code, problem, remedy) = match leak {
         Leak::Gap(at, gap) => (
             key::seal::BAND,
@@ -60,4 +56,9 @@ fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
         }
     };
     Refusal::new(key, code, problem, remedy)
+}
+
+fn listed_places(places: &[Point]) -> String {
+    // Seams meet in one place at least.
+    format!("{} places, first at X {:.1} Y {:.1} mm", places.len(), places[0].x, places[0].y)
 }

@@ -57,17 +57,19 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let is_star = matches!(part, FlatPiece::Star(_));
     let mut leaks: Refusals = shape_leaks(shape, is_star).into_iter().collect();
     let mut weaknesses = Vec::new();
-    let closure = |seam| closure(spec, machine, (seam, is_star), &mut leaks, &mut weaknesses);
     // A press makes all of a loop at once: it has neither a start nor an overlap.
     let is_ironed = spec.press.is_none();
-    let loops = shape.seams.iter().filter(|_| is_ironed).map(closure).collect();
-    let pairs =
-        || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
+    let ironed_seams = shape.seams.iter().filter(|_| is_ironed);
+    let loops = ironed_seams
+        .map(|seam| closure(spec, machine, (seam, is_star), &mut leaks, &mut weaknesses))
+        .collect();
+    let seams = shape.seams.iter().enumerate();
+    let pairs = seams.flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
     let center_distance = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
     let (channel, least_passage, eaten) = match part {
         FlatPiece::Star(star) => {
             let [tip, corner] = [star.realised_tip(), star.realised_corner()].map(|made| made.radius);
-            let channel = pairs().map(center_distance).fold(f64::INFINITY, f64::min) - band;
+            let channel = pairs.clone().map(center_distance).fold(f64::INFINITY, f64::min) - band;
             (Some(channel), None, Some([(star.star.r_i, tip), (star.star.r_e, corner)]))
         }
         // Bands of a drawing may join; its passages were measured when it was read.
@@ -83,8 +85,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     }
     let inlet = shape.ports.first().map(|_| shape.port_width(0).unwrap_or(0.0));
     let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
-    let starts_apart =
-        (is_star && is_ironed).then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
+    let starts_apart = (is_star && is_ironed).then(|| pairs.filter_map(starts).fold(f64::INFINITY, f64::min));
     if let Some(distance) = starts_apart.filter(|distance| *distance < 2.0 * band + spec.seal.overlap.0) {
         weaknesses.push(format!("the two loops start only {distance:.1} mm from each other"));
     }
@@ -115,11 +116,10 @@ fn closure(
         }
     }
     // The start lies inside a straight segment, whose two halves are the first and the last.
-    let straight = |segment: Option<&Segment>| match segment {
+    let [ahead, last_length] = [path.segments.first(), path.segments.last()].map(|segment| match segment {
         Some(Segment::Line(line)) => line.length(),
         _ => 0.0,
-    };
-    let (ahead, last_length) = (straight(path.segments.first()), straight(path.segments.last()));
+    });
     let to_hinge = if path.closed {
         (ahead - seam.overlap - machine.process.ramp.0).min(last_length - machine.process.ramp.0)
     } else {
@@ -150,12 +150,11 @@ pub(super) fn between_pieces(design: &Design) -> Option<f64> {
     let mut least_distance: Option<f64> = None;
     for (i, (sheet, band, around, a)) in pieces.iter().enumerate() {
         for (_, _, other, b) in pieces[i + 1..].iter().filter(|(other, ..)| other == sheet) {
-            let reach = |least_distance: Option<f64>| least_distance.unwrap_or(f64::INFINITY).min(1e3) + band;
-            if !around.outset(reach(least_distance)).overlaps(other) {
+            if !around.outset(reach(least_distance, *band)).overlaps(other) {
                 continue;
             }
             for (s, bounds) in a {
-                let zone = bounds.outset(reach(least_distance));
+                let zone = bounds.outset(reach(least_distance, *band));
                 if !zone.overlaps(other) {
                     continue;
                 }
@@ -167,6 +166,11 @@ pub(super) fn between_pieces(design: &Design) -> Option<f64> {
         }
     }
     least_distance
+}
+
+/// The distance beyond which nothing is searched, if the least distance so far is known.
+fn reach(least_distance: Option<f64>, band: f64) -> f64 {
+    least_distance.unwrap_or(f64::INFINITY).min(1e3) + band
 }
 
 impl fmt::Display for Passage {

@@ -25,14 +25,10 @@ pub fn json(proof: &Proof) -> String {
 pub fn scope(proof: &Proof) -> String {
     let file_count = proof.files.len();
     let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
-    let nearest = |of: &dyn Fn(Format) -> bool| {
-        let files = proof.files.iter().filter(|file| of(file.output.kind.format()));
-        files.filter_map(|file| file.deviation).reduce(f64::max)
-    };
     // Solids approximate arcs by chords, with a tolerance of their own.
     let deviations: Vec<String> = [
-        ("lines and arcs", nearest(&|format| format != Format::Stl), 6),
-        ("solids", nearest(&|format| format == Format::Stl), 4),
+        ("lines and arcs", largest_deviation(proof, false), 6),
+        ("solids", largest_deviation(proof, true), 4),
     ]
     .into_iter()
     .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
@@ -41,4 +37,10 @@ pub fn scope(proof: &Proof) -> String {
         return format!("none of {file_count} files has geometry that is compared; nothing was measured");
     }
     format!("{measured} of {file_count} files compared with the exact geometry: {}", deviations.join(", "))
+}
+
+/// The largest deviation of solids, or of all other files, mm.
+fn largest_deviation(proof: &Proof, is_solid: bool) -> Option<f64> {
+    let files = proof.files.iter().filter(|file| (file.output.kind.format() == Format::Stl) == is_solid);
+    files.filter_map(|file| file.deviation).reduce(f64::max)
 }

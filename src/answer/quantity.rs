@@ -107,8 +107,8 @@ pub fn evenly(
     let count = count.ok_or_else(|| {
         format!("give the number of values: write \"{range_text}/COUNT\", with a COUNT of {least_values} to {most_values}")
     })?;
-    let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
-    Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
+    let parts = (0..count).map(|i| f64::from(i) / f64::from((count - 1).max(1)));
+    Ok(parts.map(|part| from + part * (to - from)).collect())
 }
 
 #[cfg(test)]

@@ -110,11 +110,11 @@ impl BenchArgs {
 
     /// R / W of the V-actuator's hinge.
     fn radius_ratio(&self, spec: Option<&Spec>) -> f64 {
-        let of_tips = |spec: &Spec| {
+        let of_tips = spec.and_then(|spec| {
             let star = spec.stars.first()?;
             Some(realised_radius(star.tip_radius.0, spec.seal.band.0) / star.tube_width.0)
-        };
-        self.radius_ratio.or_else(|| of_tips(spec?)).unwrap_or(1.0 / 30.0)
+        });
+        self.radius_ratio.or(of_tips).unwrap_or(1.0 / 30.0)
     }
 
     /// The V-actuator of the spec's tips, with a measured angle that is `angle_error` deg too wide; `None` without angles.
@@ -264,11 +264,12 @@ impl Stiffnesses {
 
     /// The JSON answer.
     pub(super) fn json(&self) -> Value {
-        let value_of = |key: &str| self.0.iter().find(|found| found.key == key).map(|found| found.value);
+        let [stretch, shear, bending] = ["stretch_stiffness", "shear_modulus", "bending_stiffness"]
+            .map(|key| self.0.iter().find(|found| found.key == key).map(|found| found.value));
         json!({
-            "stretch_stiffness_N_mm": value_of("stretch_stiffness"),
-            "shear_modulus_MPa": value_of("shear_modulus"),
-            "bending_stiffness_Nmm": value_of("bending_stiffness"),
+            "stretch_stiffness_N_mm": stretch,
+            "shear_modulus_MPa": shear,
+            "bending_stiffness_Nmm": bending,
         })
     }
 }

@@ -19,17 +19,22 @@ pub(super) struct Cache {
 impl Cache {
     /// The user's cache; without a directory if it is `unwanted` or the system names none.
     pub(super) fn new(unwanted: bool) -> Self {
-        let absolute = |name: &str| env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
-        let home =
-            || if cfg!(windows) { absolute("LOCALAPPDATA") } else { Some(absolute("HOME")?.join(".cache")) };
-        let base = absolute("XDG_CACHE_HOME").or_else(home);
+        let home = if cfg!(windows) {
+            absolute_path("LOCALAPPDATA")
+        } else {
+            absolute_path("HOME").map(|home| home.join(".cache"))
+        };
+        let base = absolute_path("XDG_CACHE_HOME").or(home);
         Self { dir: base.filter(|_| !unwanted).map(|base| base.join(env!("CARGO_PKG_NAME"))) }
     }
 
     /// The key of a question. It changes with the program's version and with its build.
     pub(super) fn key(&self, question: &[&str]) -> String {
-        let program = || ELSEWHERE.get().cloned().map_or_else(env::current_exe, Ok).and_then(fs::read);
-        let program = self.dir.as_ref().and_then(|_| program().ok()).unwrap_or_default();
+        let program = self.dir.as_ref().and_then(|_| {
+            let path = ELSEWHERE.get().cloned().map_or_else(env::current_exe, Ok);
+            path.and_then(fs::read).ok()
+        });
+        let program = program.unwrap_or_default();
         let parts = [&program[..], env!("CARGO_PKG_VERSION").as_bytes()];
         of_parts(parts.into_iter().chain(question.iter().map(|part| part.as_bytes())))
     }
@@ -52,6 +57,11 @@ impl Cache {
         let text = format!("{}\n{parts}", sha256(&parts));
         let _ = fs::create_dir_all(dir).and_then(|()| write_whole(&dir.join(key), text.as_bytes()));
     }
+}
+
+/// The path in a variable of the environment, if it is an absolute one.
+fn absolute_path(variable: &str) -> Option<PathBuf> {
+    env::var_os(variable).map(PathBuf::from).filter(|path| path.is_absolute())
 }
 
 /// The library with this program's code, if it is not in the process's own file.

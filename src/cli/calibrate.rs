@@ -194,15 +194,13 @@ impl Need {
     /// The need of the seal of a spec. The margin is at least such that `check` finds no seal that may burst.
     fn for_spec(loaded: &Loaded, args: &Args) -> Result<Self, Failure> {
         let spec = &loaded.reading.spec;
-        let refused =
-            |reason: &str| Failure::Message(format!("{}: {reason}", escaped_line(&loaded.source.name)));
         let pressure = spec.load.as_ref().and_then(|load| load.pressure);
         let pressure =
-            pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
+            pressure.ok_or_else(|| refused(loaded, "[load] has no pressure; write one, or give --needed"))?;
         let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
         let (mut loads, mut surely) = (Vec::new(), 0.0_f64);
         for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
-            let case = Case::of_part(spec, part).map_err(|fault| refused(&fault.to_string()))?;
+            let case = Case::of_part(spec, part).map_err(|fault| refused(loaded, &fault.to_string()))?;
             for load in seal_loads(spec, &case, part) {
                 surely = surely.max(load.sure_strength.map_or(0.0, |strength| strength.0));
                 loads.push((load.load, load.place.to_owned()));
@@ -216,7 +214,7 @@ impl Need {
         }
         let mut largest = (0.0, String::new());
         for (load, place) in loads {
-            let unknown = || refused(&format!("the load at the {place} is unknown; give --needed"));
+            let unknown = || refused(loaded, &format!("the load at the {place} is unknown; give --needed"));
             let force = load.ok_or_else(unknown)?;
             if force.0 > largest.0 {
                 largest = (force.0, place);
@@ -236,4 +234,8 @@ impl Need {
         }
         Ok(Self { force, margin, why: reason, hint })
     }
+}
+
+fn refused(loaded: &Loaded, reason: &str) -> Failure {
+    Failure::Message(format!("{}: {reason}", escaped_line(&loaded.source.name)))
 }

@@ -59,11 +59,12 @@ pub(super) fn text(search: &SearchResult, constraints: &Constraints) -> String {
 
 /// The JSON answer; `spec` is the text of the winner's spec.
 pub(super) fn json(search: &SearchResult, constraints: &Constraints, spec: Option<&str>) -> Value {
-    let json_rows = |list: &[Evaluation]| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>();
+    let [best, front] = [&search.best, &search.front]
+        .map(|list| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>());
     json!({
         "computed": search.computed,
-        "best": json_rows(&search.best),
-        "front": json_rows(&search.front),
+        "best": best,
+        "front": front,
         "spec": spec,
     })
 }
@@ -137,26 +138,26 @@ const COLUMNS: [(&str, usize, u8); 18] = [
 
 /// Which columns fit into `width`; all without a terminal.
 fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
-    let is_shown = |most: u8| COLUMNS.map(|(_, _, rank)| rank <= most);
-    let columns_width = |shown: &[bool]| {
-        let columns = COLUMNS.iter().zip(shown).filter(|(_, shown)| **shown);
-        columns.map(|((_, width, _), _)| width + 2).sum::<usize>()
+    let mut ranks = (0..=u8::MAX).rev();
+    let fits = |most: &u8| {
+        let columns = COLUMNS.iter().filter(|(_, _, rank)| rank <= most);
+        width.is_none_or(|room| columns.map(|(_, width, _)| width + 2).sum::<usize>() <= room)
     };
-    let ranks = (0..=u8::MAX).rev();
-    let fits = |most: &u8| width.is_none_or(|width| columns_width(&is_shown(*most)) <= width);
-    is_shown(ranks.clone().find(fits).unwrap_or(0))
+    let most = ranks.find(fits).unwrap_or(0);
+    COLUMNS.map(|(_, _, rank)| rank <= most)
 }
 
 /// Candidates as a table.
 fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     let columns = shown_columns(width(&stdout()));
-    let line = |cells: [String; COLUMNS.len()]| {
-        let visible = cells.iter().zip(COLUMNS).zip(columns).filter(|(_, shown)| *shown);
-        let cells = visible.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
-        format!("# {}", cells.collect::<Vec<_>>().join("  ")).trim_end().to_owned() + "\n"
-    };
-    let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()));
-    candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints)))
+    let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()), columns);
+    candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints), columns))
+}
+
+fn line(cells: [String; COLUMNS.len()], is_shown: [bool; COLUMNS.len()]) -> String {
+    let visible = cells.iter().zip(COLUMNS).zip(is_shown).filter(|(_, is_shown)| *is_shown);
+    let cells = visible.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
+    format!("# {}", cells.collect::<Vec<_>>().join("  ")).trim_end().to_owned() + "\n"
 }
 
 /// The cells of a row.

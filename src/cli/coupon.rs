@@ -65,6 +65,11 @@ pub(super) struct Args {
 }
 
 impl Args {
+    /// The file `name` of the coupons, for a message.
+    fn place(&self, name: &str) -> String {
+        escaped_line(self.output.join(name))
+    }
+
     /// Refuses options of the grid of strips where `--only` names no strips.
     fn refuse_strips_alone(&self) -> Result<(), Failure> {
         if self.only.is_empty() || self.only.contains(&CouponGroup::Strips) {
@@ -111,11 +116,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
     tell(&publish_files(&args.output, &files)?.to_string());
     let made_coupons = proven.made_coupons();
-    let names = |wanted: Kind| {
-        made_coupons.files.iter().filter(move |file| file.output.kind == wanted).map(|file| &file.name)
-    };
-    let (programs, drawings): (Vec<&String>, Vec<&String>) =
-        (names(Kind::SealGcode).collect(), names(Kind::SealSvg).collect());
+    let [programs, drawings] = [Kind::SealGcode, Kind::SealSvg].map(|kind| {
+        let files = made_coupons.files.iter().filter(|file| file.output.kind == kind);
+        files.map(|file| &file.name).collect::<Vec<_>>()
+    });
     let has_strips = made_coupons.table.is_some();
     let times = programs.iter().zip(&made_coupons.coupons);
     let times: Vec<_> = times
@@ -155,7 +159,6 @@ fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failur
         .filter(|file| file.output.kind == Kind::SealSvg)
         .map(|file| &file.name)
         .collect();
-    let place = |name: &str| escaped_line(args.output.join(name));
     let spec = lasting(&args.spec, &args.output);
     let text = format!(
         "wrote {} and {} to {}\nlook at {}: every strip with its setting; cut two sheets of each card of cards.svg, and a paper.svg \
@@ -165,9 +168,9 @@ fn run_pressed(args: &Args, loaded: &Loaded, press: &Press) -> Result<(), Failur
         count_text(grid.cards(), "card"),
         count_text(drawings.len(), "drawing"),
         escaped_line(&args.output),
-        place(OVERVIEW),
+        args.place(OVERVIEW),
         press.pressure_in_bar(),
-        place(TABLE),
+        args.place(TABLE),
         argument(args.output.join(TABLE)),
         argument(&spec)
     );
@@ -299,7 +302,6 @@ fn text(
     programs: &[&String],
     drawings: &[&String],
 ) -> String {
-    let place = |name: &str| escaped_line(args.output.join(name));
     let (number, figures) = (count_text(programs.len(), "program"), count_text(drawings.len(), "drawing"));
     let mut lines = format!("wrote {number} and {figures} to {}\n", escaped_line(&args.output));
     // Writing to a String does not fail.
@@ -308,13 +310,13 @@ fn text(
     }
     if args.verbosity.verbose {
         for (name, _) in proven.files() {
-            let _ = writeln!(lines, "  {}", place(name));
+            let _ = writeln!(lines, "  {}", args.place(name));
         }
     }
     let settings = proven.made_coupons().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
         let spec = lasting(&args.spec, &args.output);
-        let (look, results) = (place(OVERVIEW), place(TABLE));
+        let (look, results) = (args.place(OVERVIEW), args.place(TABLE));
         let _ = writeln!(lines, "look at {look}: every strip with its setting and its cut");
         let process = args.process.as_ref().map_or_else(String::new, |name| format!(" --process {name}"));
         let _ = writeln!(

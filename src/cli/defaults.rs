@@ -21,10 +21,10 @@ fn file() -> Option<PathBuf> {
 
 /// The program's own folder in the system's directory for settings; `None` where the system has none.
 pub(super) fn folder() -> Option<PathBuf> {
-    let named = |name: &str| env::var_os(name).filter(|path| !path.is_empty()).map(PathBuf::from);
-    let folder = |name: &str, below: &str| Some(named(name)?.join(below));
-    let home = if cfg!(windows) { folder("APPDATA", "") } else { folder("HOME", ".config") };
+    let [data, home, config] = ["APPDATA", "HOME", "XDG_CONFIG_HOME"]
+        .map(|name| env::var_os(name).filter(|path| !path.is_empty()).map(PathBuf::from));
+    let usual = if cfg!(windows) { data } else { home.map(|home| home.join(".config")) };
     // The XDG standard ignores relative paths.
-    let config = named("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(home)?;
+    let config = config.filter(|path| path.is_absolute()).or(usual)?;
     Some(config.join("stargrip-cam"))
 }

@@ -175,15 +175,15 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         }
     }
     for plate in &frame.plates {
-        let list = |items: Vec<String>| items.join(", ");
+        let numbers: Vec<String> = plate.numbers.iter().map(ToString::to_string).collect();
         let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));
         let _ = writeln!(
             text,
             "  plate {}: opening {:.2} mm across, {:.0} cm2, middle at a height of {} mm",
-            list(plate.numbers.iter().map(ToString::to_string).collect()),
+            numbers.join(", "),
             2.0 * plate.opening,
             frame.area(plate) / 100.0,
-            list(heights.collect()),
+            heights.collect::<Vec<_>>().join(", "),
         );
     }
     text

@@ -29,18 +29,16 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let example = if example.is_empty() { String::new() } else { format!("Example: {example}\n") };
         return args.verbosity.report(&format!("{code} ({section})\n{meaning}\n{example}"), &json!(row));
     }
-    let has_word = |row: &CodeMeaning| {
-        [row.code, row.about, row.meaning]
-            .iter()
-            .any(|text| text.to_lowercase().contains(&word.to_lowercase()))
+    let has_word = |row: &&CodeMeaning| {
+        let mut texts = [row.code, row.about, row.meaning].into_iter();
+        word.len() > 3 && texts.any(|text| text.to_lowercase().contains(&word.to_lowercase()))
     };
-    let matches: Vec<CodeMeaning> =
-        rows.iter().filter(|row| word.len() > 3 && has_word(row)).cloned().collect();
+    let matches: Vec<CodeMeaning> = rows.iter().filter(has_word).cloned().collect();
     if !matches.is_empty() {
         return list(args, &matches);
     }
-    let codes = || rows.iter().map(|row| row.code);
-    let nearest_code = spec::nearest(&word.replace('-', "_"), codes());
+    let codes = rows.iter().map(|row| row.code);
+    let nearest_code = spec::nearest(&word.replace('-', "_"), codes);
     let hint = nearest_code.map_or_else(String::new, |nearest_code| format!("did you mean {nearest_code}? "));
     let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", escaped_line(word));
     Err(Failure::Message(text))

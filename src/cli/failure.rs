@@ -66,25 +66,24 @@ impl Failure {
 
     /// The refusals, one object each; `None` if the failure is no refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
-        let bare = |code: CommandCode, found: &str| refusal(code.as_str(), found);
-        let refusal = match self {
+        let refused = match self {
             Self::Faults(faults) => return Some(refused_by(faults)),
             Self::Unproven(unproven) => return Some(unproven.findings.iter().map(finding_json).collect()),
-            Self::Publish(error) => bare(CommandCode::NotPublished, &error.to_string()),
+            Self::Publish(error) => refusal(CommandCode::NotPublished.as_str(), &error.to_string()),
             Self::Infeasible(text, nearest) => {
-                let mut refused = bare(CommandCode::Infeasible, text);
+                let mut refused = refusal(CommandCode::Infeasible.as_str(), text);
                 refused["remedy"] = json!((!nearest.is_empty()).then(|| nearest.join("\n")));
                 refused
             }
             Self::File(path, text) => {
-                let mut refused = bare(CommandCode::Failed, text);
+                let mut refused = refusal(CommandCode::Failed.as_str(), text);
                 refused["file"] = json!(path);
                 refused
             }
-            Self::Message(text) => bare(CommandCode::Failed, text),
+            Self::Message(text) => refusal(CommandCode::Failed.as_str(), text),
             _ => return None,
         };
-        Some(vec![refusal])
+        Some(vec![refused])
     }
 
     /// Prints a JSON `answer` that contains the refusal `text`, as one object.

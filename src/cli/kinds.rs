@@ -40,10 +40,9 @@ impl Kinds {
         let Built { forecast: Forecast { spec, design, .. }, manifest, .. } = built;
         let large = too_large(spec, design, request);
         let named = self.only.iter().chain(&self.with);
-        let has_kind = |kind: Kind| {
-            manifest.files.iter().any(|file| file.kind == kind) || large.iter().any(|file| file.kind == kind)
-        };
-        let names: Vec<&str> = named.filter(|kind| !has_kind(**kind)).map(|kind| kind.name()).collect();
+        let mut kinds: Vec<Kind> = manifest.files.iter().map(|file| file.kind).collect();
+        kinds.extend(large.iter().map(|file| file.kind));
+        let names: Vec<&str> = named.filter(|kind| !kinds.contains(kind)).map(|kind| kind.name()).collect();
         if !names.is_empty() {
             tell(&format!("note: this design has no {}", names.join(", ")));
         }

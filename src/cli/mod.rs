@@ -135,9 +135,9 @@ enum Command {
 /// The program's commands, with its help in groups.
 fn program() -> clap::Command {
     let program = Cli::command();
-    let about_command = |name: &str| program.find_subcommand(name).and_then(clap::Command::get_about);
     let line = |name: &&str| {
-        format!("  {name:12} {}\n", about_command(name).map(ToString::to_string).unwrap_or_default())
+        let about = program.find_subcommand(name).and_then(clap::Command::get_about);
+        format!("  {name:12} {}\n", about.map(ToString::to_string).unwrap_or_default())
     };
     let group = |(title, names): &(&str, &[&str])| {
         format!("{title}:\n{}\n", names.iter().map(line).collect::<String>())

@@ -85,11 +85,11 @@ enum GoalArg {
 
 /// Reads "3..8" or one number.
 fn whole_range(text: &str, quantity: &str, [minimum, maximum]: [u32; 2]) -> Result<(u32, u32), String> {
-    let fault =
-        || format!("`{text}` is not a number of {quantity} from {minimum} to {maximum}, or a range of them");
     let (from, to) = text.split_once("..").unwrap_or((text, text));
-    let (from, to): (u32, u32) = (from.parse().map_err(|_| fault())?, to.parse().map_err(|_| fault())?);
-    if from >= minimum && to <= maximum && from <= to { Ok((from, to)) } else { Err(fault()) }
+    let ends = from.parse().ok().zip(to.parse().ok());
+    ends.filter(|(from, to)| *from >= minimum && *to <= maximum && from <= to).ok_or_else(|| {
+        format!("`{text}` is not a number of {quantity} from {minimum} to {maximum}, or a range of them")
+    })
 }
 
 /// The result of a search around the spec `loaded`, and its constraints. Raising `cancel` ends the search.
@@ -208,16 +208,15 @@ fn search_goal(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, 
 
 fn bounds(args: &Args, base: &Candidate) -> SearchBounds {
     let star = &base.star;
-    let lengths = |range: Option<(Length, Length)>, default: [Length; 2]| range.map_or(default, Into::into);
     let width = star.tube_width.0;
     let (from, to) = args.count.unwrap_or((base.stars, base.stars));
     SearchBounds {
         points: args.points.0..=args.points.1,
         tip_angle: args.tip_angle.unwrap_or((Angle(10.0), Angle(90.0))).into(),
-        width: lengths(args.tube_width, [Length(0.5 * width), Length(1.5 * width)]),
-        tip_radius: lengths(args.tip_radius, [star.tip_radius; 2]),
-        corner_radius: lengths(args.corner_radius, [star.corner_radius; 2]),
-        inner_radius: lengths(args.inner_radius, [star.inner_radius; 2]),
+        width: args.tube_width.map_or([Length(0.5 * width), Length(1.5 * width)], Into::into),
+        tip_radius: args.tip_radius.map_or([star.tip_radius; 2], Into::into),
+        corner_radius: args.corner_radius.map_or([star.corner_radius; 2], Into::into),
+        inner_radius: args.inner_radius.map_or([star.inner_radius; 2], Into::into),
         pressure: args.pressure.map(Into::into),
         stars: from..=to,
     }
@@ -227,13 +226,14 @@ fn bounds(args: &Args, base: &Candidate) -> SearchBounds {
 fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
     let Evaluation { point, .. } = candidate;
     let star = &point.star;
-    let mm = |length: Length| Length(thousandths(length.0));
+    let [tube_width, tip_radius, corner_radius] =
+        [star.tube_width, star.tip_radius, star.corner_radius].map(|length| Length(thousandths(length.0)));
     let edit = StarEdit {
         points: star.points,
-        tube_width: mm(star.tube_width),
+        tube_width,
         tip_angle: Angle(thousandths(star.tip_angle.0)),
-        tip_radius: mm(star.tip_radius),
-        corner_radius: mm(star.corner_radius),
+        tip_radius,
+        corner_radius,
     };
     let mut text = with_star(&loaded.source, &edit)?;
     let old_candidate = Candidate::from_spec(&loaded.reading.spec);

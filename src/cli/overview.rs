@@ -131,13 +131,11 @@ fn drawn_in_words(piece: &DrawnPiece) -> String {
 /// A star in the vocabulary of the spec.
 fn in_words(star: &StarSpec) -> String {
     let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
-    let curved = |what: &str, radius: &Length| {
-        if *radius == Length(0.0) { String::new() } else { format!(", {what} {radius}") }
-    };
+    let radii = [("tip radius", tip_radius), ("corner radius", corner_radius)];
+    let round = radii.into_iter().filter(|(_, radius)| **radius != Length(0.0));
+    let curved: String = round.map(|(name, radius)| format!(", {name} {radius}")).collect();
     format!(
-        "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{}{}",
-        curved("tip radius", tip_radius),
-        curved("corner radius", corner_radius)
+        "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{curved}"
     )
 }
 

@@ -88,22 +88,22 @@ impl Snapshot {
 fn changed(setting: &Setting, previous: &[Setting]) -> Option<String> {
     let old = previous.iter().find(|was| was.is_same_key(setting));
     let (old_value, is) = (old.and_then(|old| old.value.as_deref()), setting.value.as_deref());
-    let or_none = |value: Option<&str>| value.unwrap_or("none").to_owned();
-    (old_value != is).then(|| format!("{} {} -> {}", setting.key, or_none(old_value), or_none(is)))
+    let [old_text, text] = [old_value, is].map(|value| value.unwrap_or("none"));
+    (old_value != is).then(|| format!("{} {old_text} -> {text}", setting.key))
 }
 
 /// The results that matter while values are chosen.
 fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
-    let figure = |name, value: Option<f64>, unit| value.map(|value| (name, rounded(value), unit));
     let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
     let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);
     let sealing = ("sealing", sealing_in_words(forecast), "");
     let figures = [
-        figure("force", verdict.and_then(|verdict| verdict.force_N), " N"),
-        figure("carries", star.and_then(|star| star.payload_kg), " kg"),
-        figure("opens to", opens, " mm"),
-        figure("closes to", closes, " mm"),
+        ("force", verdict.and_then(|verdict| verdict.force_N), " N"),
+        ("carries", star.and_then(|star| star.payload_kg), " kg"),
+        ("opens to", opens, " mm"),
+        ("closes to", closes, " mm"),
     ];
-    figures.into_iter().flatten().chain([sealing]).collect()
+    let figures = figures.into_iter().filter_map(|(name, value, unit)| Some((name, rounded(value?), unit)));
+    figures.chain([sealing]).collect()
 }

@@ -101,10 +101,11 @@ fn seconds(text: &str) -> Option<f64> {
 }
 
 fn point(text: &str) -> Result<Point, String> {
-    let number = |text: &str| Length::parse(text).ok().map(|length| length.0).filter(|x| x.abs() < 1e6);
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
-    match (number(x), number(y)) {
-        (Some(x), Some(y)) => Ok(Point::new(x, y)),
+    let numbers = [x, y]
+        .map(|text| Length::parse(text).ok().map(|length| length.0).filter(|number| number.abs() < 1e6));
+    match numbers {
+        [Some(x), Some(y)] => Ok(Point::new(x, y)),
         _ => Err("two lengths with their units, such as \"120.5 mm,80 mm\"".to_owned()),
     }
 }

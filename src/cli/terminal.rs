@@ -53,8 +53,10 @@ pub(super) fn wrapped(text: &str, indent: usize, width: Option<usize>) -> String
 
 /// Every line of `text` in lines of at most `width` columns; continuation lines are indented by 2 more columns.
 pub(super) fn fitted(text: &str, width: Option<usize>) -> String {
-    let indent = |line: &str| line.chars().take_while(|c| *c == ' ').count() + 2;
-    let lines = text.split('\n').map(|line| wrapped(line, indent(line), width));
+    let lines = text.split('\n').map(|line| {
+        let indent = line.chars().take_while(|c| *c == ' ').count() + 2;
+        wrapped(line, indent, width)
+    });
     lines.collect::<Vec<_>>().join("\n")
 }
 

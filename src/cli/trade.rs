@@ -15,7 +15,7 @@ use forecast::trade;
 use forecast::trade::TradeRow;
 use forecast::trade::computed::provenance;
 use forecast::trade::picture;
-use forecast::trade::shells::{ShellRow, StarErrors, against_shells};
+use forecast::trade::shells::{ShellRow, against_shells};
 use forecast::trade::shown;
 use inflatable::mechanics::fault::StarFault;
 use spec::StarSpec;
@@ -66,11 +66,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             replace(path, &text)?;
         }
     }
-    let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let r_stars: Vec<String> = trade::R_STARS.iter().map(ToString::to_string).collect();
     let text = format!(
         "{}.\n\nLargest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n{}",
         shown::sources(&shells),
-        list(&trade::R_STARS),
+        r_stars.join(", "),
         trade::POINTS,
         trade::table(&rows),
         shown::tables(&shells)
@@ -104,8 +104,6 @@ fn row(row: &TradeRow) -> Value {
 
 /// A row of the comparison with shells as JSON; relative errors, one a star.
 fn shell_row(row: &ShellRow) -> Value {
-    let star_values =
-        |number: fn(&StarErrors) -> Option<f64>| row.stars.iter().map(number).collect::<Vec<_>>();
     json!({
         "model": row.model,
         "pressure_kPa": row.pressure,
@@ -114,9 +112,9 @@ fn shell_row(row: &ShellRow) -> Value {
         "actuator": { "angle_error_deg": row.actuator.map(|own| own[0]), "stiffness_error": row.actuator.map(|own| own[1]) },
         "relative_error": {
             "points": row.stars.iter().map(|star| star.points).collect::<Vec<_>>(),
-            "final_radius_mm": star_values(|star| Some(star.radius)),
-            "radial_stiffness_N_per_m": star_values(|star| star.stiffness),
-            "force_N": star_values(|star| star.force),
+            "final_radius_mm": row.stars.iter().map(|star| star.radius).collect::<Vec<_>>(),
+            "radial_stiffness_N_per_m": row.stars.iter().map(|star| star.stiffness).collect::<Vec<_>>(),
+            "force_N": row.stars.iter().map(|star| star.force).collect::<Vec<_>>(),
         },
     })
 }

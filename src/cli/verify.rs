@@ -151,10 +151,10 @@ fn faults(dir: &Path, proof: &Proof) -> String {
 
 /// The first source of the design that is not the one that was built from.
 fn changed_source(proof: &Proof) -> Option<&'static str> {
-    let changed = |name: &str| {
-        proof.findings.iter().any(|found| found.file == name && found.code == FindingCode::Hash.as_str())
-    };
-    SOURCES.into_iter().find(|name| *name != MANIFEST && changed(name))
+    let mut sources = SOURCES.into_iter().filter(|name| *name != MANIFEST);
+    sources.find(|name| {
+        proof.findings.iter().any(|found| found.file == *name && found.code == FindingCode::Hash.as_str())
+    })
 }
 
 /// The last line: whether the directory is proven, and the meaning for one of another version.

@@ -129,8 +129,8 @@ fn is_current_dir(target: &Path) -> bool {
 #[cfg(unix)]
 fn is_mount_point(target: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let device = |path: &Path| fs::metadata(path).map(|entry| entry.dev());
-    device(target).is_ok_and(|own| device(directory_of(target)).is_ok_and(|parent| own != parent))
+    let devices = [target, directory_of(target)].map(|path| fs::metadata(path).map(|entry| entry.dev()));
+    matches!(devices, [Ok(own), Ok(parent)] if own != parent)
 }
 
 #[cfg(not(unix))]

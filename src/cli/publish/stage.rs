@@ -27,7 +27,6 @@ pub(super) fn write(
 }
 
 fn fill(path: &Path, files: &[StagedFile<'_>], model: &Path) -> Result<(), PublishFault> {
-    let mode = |path: &Path| Some(fs::symlink_metadata(path).ok()?.permissions());
     // The mode is set before the files are written, so that private files are never readable by others.
     if let Some(model_mode) = mode(model) {
         disk::set_permissions(path, model_mode).map_err(PublishFault::io("set the mode of", path))?;
@@ -39,6 +38,10 @@ fn fill(path: &Path, files: &[StagedFile<'_>], model: &Path) -> Result<(), Publi
         disk::write_new(&file, bytes, file_mode).map_err(PublishFault::io("write", &file))?;
     }
     disk::sync_dir(path).map_err(PublishFault::io("sync", path))
+}
+
+fn mode(path: &Path) -> Option<fs::Permissions> {
+    Some(fs::symlink_metadata(path).ok()?.permissions())
 }
 
 /// Removes the directory `ready`, which was not published. It gets its first name again, which marks it as incomplete.

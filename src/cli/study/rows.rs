@@ -123,17 +123,18 @@ impl StudyRows<'_> {
     }
 
     fn to_file(&self, path: &Path) -> Result<(), Failure> {
-        let write = || -> io::Result<()> {
-            sweep_own(path);
-            let mut file = WholeFile::begin(path)?;
-            self.write(&mut file)?;
-            file.publish()
-        };
-        write().map_err(|error| match error.kind() {
+        self.publish(path).map_err(|error| match error.kind() {
             io::ErrorKind::Interrupted if self.listening.has_heard() => {
                 Failure::Stopped(format!("stopped; {} was not written", escaped_line(path)))
             }
             _ => Failure::file("write", path, &error),
         })
+    }
+
+    fn publish(&self, path: &Path) -> io::Result<()> {
+        sweep_own(path);
+        let mut file = WholeFile::begin(path)?;
+        self.write(&mut file)?;
+        file.publish()
     }
 }
