@@ -143,8 +143,8 @@ fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
         let columns = COLUMNS.iter().filter(|(_, _, rank)| rank <= most);
         width.is_none_or(|room| columns.map(|(_, width, _)| width + 2).sum::<usize>() <= room)
     };
-    let most = ranks.find(fits).unwrap_or(0);
-    COLUMNS.map(|(_, _, rank)| rank <= most)
+    let last_rank = ranks.find(fits).unwrap_or(0);
+    COLUMNS.map(|(_, _, rank)| rank <= last_rank)
 }
 
 /// Candidates as a table.

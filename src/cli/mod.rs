@@ -136,8 +136,8 @@ enum Command {
 fn program() -> clap::Command {
     let program = Cli::command();
     let line = |name: &&str| {
-        let about = program.find_subcommand(name).and_then(clap::Command::get_about);
-        format!("  {name:12} {}\n", about.map(ToString::to_string).unwrap_or_default())
+        let description = program.find_subcommand(name).and_then(clap::Command::get_about);
+        format!("  {name:12} {}\n", description.map(ToString::to_string).unwrap_or_default())
     };
     let group = |(title, names): &(&str, &[&str])| {
         format!("{title}:\n{}\n", names.iter().map(line).collect::<String>())

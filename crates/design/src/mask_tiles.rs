@@ -258,9 +258,9 @@ struct TooLarge {
 }
 
 impl TooLarge {
-    /// The piece `what` with this `edge`, as it fits `bed` best.
-    fn new(what: &'static str, edge: &TurnedPath, bed: Bed) -> Self {
-        Self { what, size: edge.best_fit(bed).size }
+    /// The piece `name` with this `edge`, as it fits `bed` best.
+    fn new(name: &'static str, edge: &TurnedPath, bed: Bed) -> Self {
+        Self { what: name, size: edge.best_fit(bed).size }
     }
 }
 

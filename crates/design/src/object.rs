@@ -109,14 +109,14 @@ impl Object {
         if passed_count(&above, holes) > passed_count(&below, holes) { above } else { below }
     }
 
-    /// The contacts of stars at `heights`, where the object's middle is at `middle`, and it enters from below if `below` is 1, from above if
+    /// The contacts of stars at `heights`, where the object's middle is at `middle`, and it enters from below if `side` is 1, from above if
     /// it is -1.
-    fn spread(&self, heights: &[f64], middle: f64, below: f64) -> Vec<Meeting> {
+    fn spread(&self, heights: &[f64], middle: f64, side: f64) -> Vec<Meeting> {
         let meeting = |height: &f64| {
             let z = height - middle;
             let radius = self.radius_at(z);
             // A star that it has to go through with its widest part, or only with its end.
-            let entering = if below * z <= 0.0 { self.radius } else { radius };
+            let entering = if side * z <= 0.0 { self.radius } else { radius };
             Meeting { radius, entering, slope: self.slope_at(z) }
         };
         heights.iter().map(meeting).collect()

@@ -117,15 +117,17 @@ fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
             let tables = elements.iter().zip(1..).filter_map(|(item, i)| Some((item.as_table()?, item, i)));
             let mut names = tables.map(|(table, item, i)| {
                 let name = format!("{name}[{i}]");
-                key_at(table, span, &name).or_else(|| holds(&item.span, span).then_some(name))
+                key_at(table, span, &name).or_else(|| contains_span(&item.span, span).then_some(name))
             });
             names.find_map(|names| names)
         });
-        nested.or_else(|| (holds(&entry.key_span, span) || holds(&entry.value.span, span)).then_some(name))
+        nested.or_else(|| {
+            (contains_span(&entry.key_span, span) || contains_span(&entry.value.span, span)).then_some(name)
+        })
     })
 }
 
 /// Whether `place` holds all of `span`.
-fn holds(place: &Range<usize>, span: &Range<usize>) -> bool {
+fn contains_span(place: &Range<usize>, span: &Range<usize>) -> bool {
     place.start <= span.start && span.start < place.end && span.end <= place.end
 }

@@ -140,12 +140,12 @@ impl Glb {
     /// Vectors in mm, +Z up, with their box.
     fn vectors(&mut self, vectors: &[[f64; 3]]) -> usize {
         let vectors: Vec<[f32; 3]> = vectors.iter().map(|v| y_up(*v).map(single)).collect();
-        let [least, most] = [f32::min, f32::max].map(|pick: fn(f32, f32) -> f32| {
+        let [minimum, maximum] = [f32::min, f32::max].map(|pick: fn(f32, f32) -> f32| {
             let extreme = vectors.iter().copied().reduce(|a, b| [0, 1, 2].map(|k| pick(a[k], b[k])));
             extreme.unwrap_or_default().map(f64::from)
         });
         let description = json!({
-            "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": least, "max": most,
+            "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": minimum, "max": maximum,
         });
         let bytes: Vec<u8> = vectors.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         self.accessor(&bytes, VERTICES, description)

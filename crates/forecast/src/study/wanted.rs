@@ -30,13 +30,13 @@ pub(super) fn by_names(
     // not exist are faults, which are all reported.
     let mut faults = Vec::new();
     let mut outputs: Vec<&'static OutputColumn> = Vec::new();
-    for wanted in names {
-        let name = &wanted.name;
+    for column in names {
+        let name = &column.name;
         let output = all_columns().find(|output| output.name == name);
         match output {
             Some(output) if outputs.iter().any(|other| other.name == output.name) => {
                 faults.push(
-                    output_fault(wanted, FaultCode::TwoColumns, "it is named twice")
+                    output_fault(column, FaultCode::TwoColumns, "it is named twice")
                         .help("delete one of them"),
                 );
             }
@@ -46,7 +46,7 @@ pub(super) fn by_names(
                 } else {
                     ("only shells have this column", "write model = \"shell\", or leave it out")
                 };
-                faults.push(output_fault(wanted, FaultCode::NoColumn, problem).help(help));
+                faults.push(output_fault(column, FaultCode::NoColumn, problem).help(help));
             }
             Some(output) => outputs.push(output),
             None => {
@@ -55,13 +55,13 @@ pub(super) fn by_names(
                     Some(near) => format!("did you mean \"{near}\"?"),
                     None => format!("columns are {}", names.join(", ")),
                 };
-                faults.push(output_fault(wanted, FaultCode::NoColumn, "no column has this name").help(help));
+                faults.push(output_fault(column, FaultCode::NoColumn, "no column has this name").help(help));
             }
         }
     }
     if faults.is_empty() { Ok(outputs) } else { Err(Faults::new(source, faults)) }
 }
 
-fn output_fault(wanted: &Wanted, code: FaultCode, label: &str) -> Fault {
-    Fault::error(code, wanted.place.clone(), format!("`outputs` names `{}`", wanted.name)).label(label)
+fn output_fault(column: &Wanted, code: FaultCode, label: &str) -> Fault {
+    Fault::error(code, column.place.clone(), format!("`outputs` names `{}`", column.name)).label(label)
 }

@@ -71,7 +71,7 @@ impl fmt::Display for HingeRatio {
 
 impl fmt::Display for HingeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, found, range): (&dyn fmt::Display, f64, [f64; 2]) = match self {
+        let (name, value, range): (&dyn fmt::Display, f64, [f64; 2]) = match self {
             Self::RStar { found, most } => (&"R* = R/W", *found, [0.0, *most]),
             Self::Coiling { found, least, most } => (&"the coiling factor", *found, [*least, *most]),
             Self::Scale { ratio, found, least, most } => (ratio, *found, [*least, *most]),
@@ -84,7 +84,7 @@ impl fmt::Display for HingeFault {
             }
         };
         let [minimum, maximum] = range.map(Readable);
-        write!(f, "{name} is {}, allowed is {minimum} to {maximum}", Readable(found))
+        write!(f, "{name} is {}, allowed is {minimum} to {maximum}", Readable(value))
     }
 }
 

@@ -108,6 +108,10 @@ impl Tube {
     }
 }
 
-fn check_range(name: Input, found: f64, [least, most]: [f64; 2]) -> Result<(), ShellFault> {
-    if spans(&(least..=most), found) { Ok(()) } else { Err(ShellFault::Range { name, found, least, most }) }
+fn check_range(name: Input, value: f64, [minimum, maximum]: [f64; 2]) -> Result<(), ShellFault> {
+    if spans(&(minimum..=maximum), value) {
+        Ok(())
+    } else {
+        Err(ShellFault::Range { name, found: value, least: minimum, most: maximum })
+    }
 }

@@ -53,7 +53,7 @@ impl TravelOrder {
         tolerance: f64,
     ) -> Self {
         let (park, travel) = (heights.park.0, heights.travel.0);
-        let up = Waypoint::Rapid([None, None, Some(park)]);
+        let lift = Waypoint::Rapid([None, None, Some(park)]);
         let home = Waypoint::Rapid([Some(0.0), Some(0.0), Some(park)]);
         let mut position = [None, None, Some(park)];
         let mut waypoints = vec![Waypoint::Rapid(position)];
@@ -67,7 +67,7 @@ impl TravelOrder {
         for (Leg { start, stop, cools }, i) in legs.into_iter().zip(0..) {
             if i > 0 && !stop.is_empty() {
                 // The end of the last path is checked by the path's judge.
-                waypoints.extend([up, home]);
+                waypoints.extend([lift, home]);
                 position[2] = Some(park);
             }
             waypoints.extend(stop.into_iter().map(Waypoint::Comment));
@@ -81,7 +81,7 @@ impl TravelOrder {
                 waypoints.push(Waypoint::Comment("cool"));
             }
         }
-        waypoints.extend([up, home]);
+        waypoints.extend([lift, home]);
         Self { waypoints, passed: 0, tolerance, on_path: false }
     }
 

@@ -214,7 +214,8 @@ fn cut_program(
     (Method::Reading, task.map(|task| task.check(text, findings)))
 }
 
-/// Reads a drawing and compares it.
+/// Reads a drawing and compares it. On paper the sheets must also weld as the design says, and seams are kept to be compared with those of the
+/// sheet's other files.
 fn drawing(
     expected: &Expected<'_>,
     output: &Output,
