@@ -254,9 +254,8 @@ impl Stiffnesses {
     /// Lines of the `[fabric]` section.
     pub(super) fn toml(&self) -> String {
         let lines = |MeasuredStiffness { key, unit, value, ends, origin }: &MeasuredStiffness| {
-            let text = |value: f64| format!("{} {unit}", digits(value));
-            let [smaller, larger] = ends.map(|end| end.map_or("unknown".to_owned(), text));
-            let value = text(*value);
+            let [smaller, value, larger] = [ends[0], Some(*value), ends[1]]
+                .map(|value| value.map_or("unknown".to_owned(), |value| format!("{} {unit}", digits(value))));
             format!("# of {origin} less or more would make it {smaller}, {larger}\n{key} = \"{value}\"\n")
         };
         self.0.iter().map(lines).collect()

@@ -97,20 +97,18 @@ impl BiasStrip {
         }
         #[expect(clippy::cast_precision_loss, reason = "a table's rows")]
         let count = test.len() as f64;
-        let mean = |of: fn(&PullPoint) -> f64| test.iter().map(of).sum::<f64>() / count;
-        let (x, y) = (mean(|point| point.travel), mean(|point| point.load));
-        let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
-            test.iter().map(|point| of(point.travel - x, point.load - y)).sum()
-        };
-        let slope = sum(&|x, y| x * y) / sum(&|x, _| x * x);
+        let x = test.iter().map(|point| point.travel).sum::<f64>() / count;
+        let y = test.iter().map(|point| point.load).sum::<f64>() / count;
+        let offsets = test.iter().map(|point| (point.travel - x, point.load - y));
+        let slope = offsets.clone().map(|(x, y)| x * y).sum::<f64>()
+            / offsets.clone().map(|(x, _)| x * x).sum::<f64>();
         if slope.is_nan() || slope <= 0.0 {
             let reason = "the load does not rise with the travel; check whether the columns are exchanged";
             return Err(reason.to_owned());
         }
-        let loads = || test.iter().map(|point| point.load);
-        let range = loads().fold(f64::NEG_INFINITY, f64::max) - loads().fold(f64::INFINITY, f64::min);
-        let deviation = |point: &PullPoint| (point.load - y - slope * (point.travel - x)).abs() / range;
-        let largest = test.iter().map(deviation).fold(0.0, f64::max);
+        let loads = test.iter().map(|point| point.load);
+        let range = loads.clone().fold(f64::NEG_INFINITY, f64::max) - loads.fold(f64::INFINITY, f64::min);
+        let largest = offsets.map(|(x, y)| (y - slope * x).abs() / range).fold(0.0, f64::max);
         if largest > STRAIGHT {
             return Err(format!(
                 "the load deviates from a straight line by {:.0} %; at most {:.0} % are allowed: keep the rows of \

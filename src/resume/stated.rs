@@ -76,6 +76,8 @@ impl<'a> StatedFigures<'a> {
             .filter(|comment| comment.key() == Some("seam"))
             .filter_map(|comment| Some((comment.line - 1, comment.number("seam")?.to_bits())))
             .collect();
+        // The moves are added in their order, to the seam that their title announces and to the whole. A way without contact
+        // takes a time between two ends.
         let mut figures = Self {
             toolpath,
             comments,
@@ -86,14 +88,12 @@ impl<'a> StatedFigures<'a> {
             ahead: 0.0,
         };
         let acceleration = record.stated_acceleration().unwrap_or(LEAST_ACCELERATION);
-        // From rest to rest a way takes at most so much longer than at full speed.
-        let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut last_step = None;
         for step in toolpath.moves() {
             if last_step.is_none() {
                 // Every job begins at X0 Y0. The way from there is no move, because a program does not know where the iron is.
                 let way = libm::hypot(step.step.from.x, step.step.from.y);
-                figures.travels[1] += way / record.process.travel_speed.0 + starting(way);
+                figures.travels[1] += way / record.process.travel_speed.0 + starting(way, acceleration);
             }
             let begins = last_step.is_none_or(|phase| phase == Phase::Clear) && step.phase != Phase::Clear;
             last_step = Some(step.phase);
@@ -103,7 +103,7 @@ impl<'a> StatedFigures<'a> {
             if step.phase == Phase::Clear {
                 let [shortest, longest] = &mut figures.travels;
                 *shortest += step.even / DIAGONAL;
-                *longest += step.even + starting(step.step.length());
+                *longest += step.even + starting(step.step.length(), acceleration);
                 continue;
             }
             if figures.all.length == 0.0 {
@@ -182,6 +182,11 @@ impl<'a> StatedFigures<'a> {
         let speeds = self.toolpath.record.all_processes().map(|stated| stated.seal.speed.0);
         speeds.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// The time that `way`, mm, from rest to rest takes at most beyond that at full speed, s.
+fn starting(way: f64, acceleration: f64) -> f64 {
+    2.0 * (way / acceleration).sqrt()
 }
 
 /// The length that was walked instead of a stated one, for so many `seams`.

@@ -324,9 +324,9 @@ mod tests {
 
     /// A ring on paper much smaller than it.
     fn ring() -> Drawing {
-        let circle = |radius: f64| Shape::Circle { center: Point::ORIGIN, radius };
-        let layers =
-            vec![(Layer::FrameOpening, vec![circle(300.0)]), (Layer::FrameEdge, vec![circle(420.0)])];
+        let layers = [(Layer::FrameOpening, 300.0), (Layer::FrameEdge, 420.0)]
+            .map(|(layer, radius)| (layer, vec![Shape::Circle { center: Point::ORIGIN, radius }]))
+            .to_vec();
         Drawing { origin: Origin::Axis(Point::new(-421.0, -421.0)), width: 842.0, height: 842.0, layers }
     }
 

@@ -150,9 +150,10 @@ mod tests {
 
     #[test]
     fn refusals_say_all_of_themselves() {
-        let refusal =
-            |key: KeyPath| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned());
-        let pair: Refusals = [refusal(key::star::POINTS), refusal(key::seal::BAND)].into_iter().collect();
+        let keys = [key::star::POINTS, key::seal::BAND];
+        let refusals =
+            keys.map(|key| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned()));
+        let pair: Refusals = refusals.into_iter().collect();
         assert_eq!(pair.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
         assert_eq!(pair.clone().or_value(()), Err(pair));
         assert_eq!(Refusals::new().or_value(7), Ok(7));

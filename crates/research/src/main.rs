@@ -94,12 +94,11 @@ struct Part {
 }
 
 fn part(text: &str) -> Result<Part, String> {
-    let read = || -> Option<Part> {
-        let (number, count) = text.split_once('/')?;
-        let part = Part { own: number.parse().ok()?, of: count.parse().ok()? };
-        (1..=part.of).contains(&part.own).then_some(part)
-    };
-    read().ok_or_else(|| format!("`{text}` is not k/N with k from 1 to N"))
+    let numbers = text.split_once('/');
+    let part =
+        numbers.and_then(|(number, count)| Some(Part { own: number.parse().ok()?, of: count.parse().ok()? }));
+    part.filter(|part| (1..=part.of).contains(&part.own))
+        .ok_or_else(|| format!("`{text}` is not k/N with k from 1 to N"))
 }
 
 fn main() -> ExitCode {

@@ -102,9 +102,6 @@ fn compared(
 ) -> Option<Comparison> {
     let moves = &case.mechanism;
     let unit = moves.width / (PI / f64::from(moves.points)).sin();
-    let pair = |shell: f64, mesh: f64, predicted: f64, range: Option<Interval>| {
-        Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
-    };
     let ShellNumbers { radius, angle, stiffness, .. } = shell;
     let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, outcome.rest.radius, outcome.ranges.radius)?;
     let angle = [angle.value, angle.error].map(f64::to_radians);
@@ -149,6 +146,10 @@ fn compared(
         stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
         forces: forces.collect(),
     })
+}
+
+fn pair(shell: f64, mesh: f64, predicted: f64, range: Option<Interval>) -> Option<Pair> {
+    Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
 }
 
 impl Pair {

@@ -120,9 +120,11 @@ mod tests {
         {
             assert_eq!(spec(&starter(name).expect("a name")).name, name);
         }
-        let refusal = |name: &str| starter(name).expect_err("no name");
-        assert!(refusal("a\nb").contains("without control characters, here is U+000A"));
-        assert!(refusal("").contains("at least one visible character"));
+        for (name, words) in
+            [("a\nb", "without control characters, here is U+000A"), ("", "at least one visible character")]
+        {
+            assert!(starter(name).expect_err("no name").contains(words), "{name:?}");
+        }
     }
 
     /// Labels and ids of a drawing may have any character.

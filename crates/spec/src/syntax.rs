@@ -42,8 +42,12 @@ mod tests {
     use crate::raw::RawSpec;
 
     fn places(text: &str) -> Vec<(usize, String)> {
-        let line = |fault: &Fault| 1 + text[..fault.span.start].matches('\n').count();
-        RawSpec::parse(text).1.iter().map(|fault| (line(fault), fault.message.clone())).collect()
+        let (_, faults) = RawSpec::parse(text);
+        let places = faults.into_iter().map(|fault| {
+            let line = 1 + text[..fault.span.start].matches('\n').count();
+            (line, fault.message)
+        });
+        places.collect()
     }
 
     #[test]

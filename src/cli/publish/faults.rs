@@ -160,8 +160,12 @@ fn contains_text(directory: &Path, text: &str) -> bool {
     fs::read_dir(directory).unwrap().map(|entry| entry.unwrap()).any(|entry| {
         let path = entry.path();
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        let has_text = || String::from_utf8_lossy(&fs::read(&path).unwrap()).contains(text);
-        !hidden && if path.is_dir() { contains_text(&path, text) } else { has_text() }
+        !hidden
+            && if path.is_dir() {
+                contains_text(&path, text)
+            } else {
+                String::from_utf8_lossy(&fs::read(&path).unwrap()).contains(text)
+            }
     })
 }
 

@@ -94,10 +94,10 @@ impl<'a> Block<'a> {
         }
         if let Some(code) = self.code {
             let corner = corner - Vec2::new(0.0, self.height(style) - self.code_side(style));
-            let module =
-                |x: i32, y: i32| corner + Vec2::new(f64::from(x), -f64::from(y)) * (MODULE * style.unit);
             let run = |[x, y, length]: [i32; 3]| {
-                Path::rectangle(&Bounds { min: module(x, y + 1), max: module(x + length, y) })
+                let [min, max] = [(x, y + 1), (x + length, y)]
+                    .map(|(x, y)| corner + Vec2::new(f64::from(x), -f64::from(y)) * (MODULE * style.unit));
+                Path::rectangle(&Bounds { min, max })
             };
             group.area(code.runs().into_iter().map(run).collect(), CODE);
         }

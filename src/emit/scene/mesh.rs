@@ -82,15 +82,14 @@ impl Mesh {
     pub(super) fn turned(curve: &[[f64; 2]]) -> Self {
         let widest = curve.iter().map(|[radius, _]| *radius).fold(0.0, f64::max);
         let count_around = quarters(widest);
-        let corner = |[radius, z]: [f64; 2], k: u32| {
-            let p = Point::polar(radius, TAU * f64::from(k % count_around) / f64::from(count_around));
-            [p.x, p.y, z]
-        };
         let mut surface = Self::default();
         for pair in curve.windows(2) {
             for k in 0..count_around {
-                let [low, high] = [pair[0], pair[1]];
-                surface.quad([corner(low, k), corner(low, k + 1), corner(high, k + 1), corner(high, k)]);
+                let corners = [(pair[0], k), (pair[0], k + 1), (pair[1], k + 1), (pair[1], k)];
+                surface.quad(corners.map(|([radius, z], k)| {
+                    let p = Point::polar(radius, TAU * f64::from(k % count_around) / f64::from(count_around));
+                    [p.x, p.y, z]
+                }));
             }
         }
         surface

@@ -103,27 +103,29 @@ impl ScenePose {
     fn place(&self, q: Point) -> PosePlace {
         let from_corner = q - self.corner;
         let along = from_corner.dot(self.along);
-        let outside = |beyond: f64| match beyond {
-            length if length > 0.0 => Out::Outside(length),
-            inside if inside < -self.width => Out::Hole(-self.width - inside),
-            inside => Out::Tube(-inside / self.width),
-        };
         if along < 0.0 {
             let turn = (PI - from_corner.angle().abs()) / self.halves[0];
-            PosePlace::Corner { turn, out: outside(self.radii[0] - from_corner.length()) }
+            PosePlace::Corner { turn, out: self.tube_place(self.radii[0] - from_corner.length()) }
         } else if along > self.arm {
             let from_tip = q - self.tip;
             let turn = (self.ray() - from_tip.angle()) / self.halves[1];
-            PosePlace::Tip { turn, out: outside(from_tip.length() - self.radii[1] - self.width) }
+            PosePlace::Tip { turn, out: self.tube_place(from_tip.length() - self.radii[1] - self.width) }
         } else {
-            PosePlace::Arm { along, out: outside(self.radii[0] - from_corner.dot(self.across)) }
+            PosePlace::Arm { along, out: self.tube_place(self.radii[0] - from_corner.dot(self.across)) }
+        }
+    }
+
+    /// The place across the tube at this `distance` outside of its outer edge.
+    fn tube_place(&self, distance: f64) -> Out {
+        match distance {
+            length if length > 0.0 => Out::Outside(length),
+            inside if inside < -self.width => Out::Hole(-self.width - inside),
+            inside => Out::Tube(-inside / self.width),
         }
     }
 
     /// The hole-side edge of the tube and the direction across it to the outer edge, column by column around the star.
     fn columns(&self) -> Vec<(Point, Vec2)> {
-        let turns =
-            |half: f64| (0..=ALONG).map(move |i| half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0));
         let mut columns = Vec::new();
         for k in 0..self.points {
             let ray = 2.0 * f64::from(k) * self.ray();
@@ -156,6 +158,11 @@ impl ScenePose {
         };
         self.columns().into_iter().flat_map(ring).collect()
     }
+}
+
+/// Directions from `-half` to `half`, evenly.
+fn turns(half: f64) -> impl Iterator<Item = f64> {
+    (0..=ALONG).map(move |i| half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0))
 }
 
 /// The place of a point beside a tube, in terms that hold for every pose.
@@ -205,10 +212,10 @@ impl PoseMotion {
 /// The tube of a star, in `pose` and, if it moves, also where it goes.
 pub(super) fn tube(pose: ScenePose, inflated: Option<ScenePose>) -> Mesh {
     let (columns, ring) = (index(pose.columns().len()), 2 * ACROSS);
-    let corner = |i: u32, j: u32| (i % columns) * ring + j % ring;
     let quads = (0..columns).flat_map(|i| (0..ring).map(move |j| (i, j)));
     let triangles = quads.flat_map(|(i, j)| {
-        let [a, b, c, d] = [corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)];
+        let [a, b, c, d] =
+            [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| (i % columns) * ring + j % ring);
         [[a, b, c], [a, c, d]]
     });
     Mesh {

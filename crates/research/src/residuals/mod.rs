@@ -105,17 +105,14 @@ fn spread(places: &[StarPlace]) -> Vec<usize> {
 /// The lengths of the most likely interpolation of `stars`, by steps along one after the other.
 pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
     let (_, samples) = stars_with_samples(stars);
-    let unlikely = |lengths: &StarPlace| -> f64 {
-        [0..1, 1..2, 2..3, 3..WEIGHTS].map(|of| Rows::new(&samples, of, lengths).unlikelihood()).iter().sum()
-    };
     let (mut best, mut step) = (LENGTHS, [1.5_f64; LENGTHS.len()]);
-    let mut smallest = unlikely(&best);
+    let mut smallest = unlikelihood(&samples, &best);
     while step.iter().any(|step| *step > 1.02) {
         for i in 0..best.len() {
             let trials = [step[i], 1.0 / step[i]].map(|factor| {
                 let mut lengths = best;
                 lengths[i] *= factor;
-                (unlikely(&lengths), lengths)
+                (unlikelihood(&samples, &lengths), lengths)
             });
             match trials.into_iter().min_by(|one, other| one.0.total_cmp(&other.0)) {
                 Some((unlikelihood, lengths)) if unlikelihood < smallest => {
@@ -126,6 +123,10 @@ pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
         }
     }
     best
+}
+
+fn unlikelihood(samples: &[Sample], lengths: &StarPlace) -> f64 {
+    [0..1, 1..2, 2..3, 3..WEIGHTS].map(|of| Rows::new(samples, of, lengths).unlikelihood()).iter().sum()
 }
 
 /// The stars of the table among `stars` for which there are a shell and a prediction, with their residuals beyond the closed forms.

@@ -35,16 +35,16 @@ impl Rows {
     /// The residuals `numbers` these numbers, in the order of the weights, of `samples`.
     pub fn new(samples: &[Sample], numbers: Range<usize>, lengths: &StarPlace) -> Self {
         let scale = SCALES[numbers.start];
-        let row = |star: usize, which: usize| {
+        let pairs = (0..samples.len()).flat_map(|star| numbers.clone().map(move |which| (star, which)));
+        let rows = pairs.filter_map(|(star, which)| {
             let (value, error) = samples[star].residuals[which]?;
             let noise = NUGGET.powi(2) + (MESH * error / scale).powi(2);
             Some(ResidualRow { star, opening: which - numbers.start, value, noise })
-        };
-        let pairs = (0..samples.len()).flat_map(|star| numbers.clone().map(move |which| (star, which)));
+        });
         Self {
             places: samples.iter().map(|sample| sample.place).collect(),
             lengths: *lengths,
-            all: pairs.filter_map(|(star, which)| row(star, which)).collect(),
+            all: rows.collect(),
         }
     }
 

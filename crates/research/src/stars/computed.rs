@@ -89,17 +89,17 @@ impl DrawnStar {
                 let _ = writeln!(text, "refused {fault}");
             }
             Ok(found) => {
-                let mut line = |name: &str, value: Value| {
-                    let Value { value, error, meshes: [a, b, c] } = value;
+                let mut values = vec![
+                    ("radius".to_owned(), found.final_radius.scaled(1e3)),
+                    ("angle".to_owned(), found.tip_angle.scaled(1.0_f64.to_degrees())),
+                    ("stiffness".to_owned(), found.radial_stiffness.scaled(1e-3)),
+                    ("arm_contact".to_owned(), found.preload),
+                    ("volume".to_owned(), found.volume.scaled(1e6)),
+                ];
+                let forces = openings.iter().zip(&found.forces);
+                values.extend(forces.map(|(part, (_, force))| (format!("force {part}"), *force)));
+                for (name, Value { value, error, meshes: [a, b, c] }) in values {
                     let _ = writeln!(text, "{name} {value:.5} {error:.5} {a:.5} {b:.5} {c:.5}");
-                };
-                line("radius", found.final_radius.scaled(1e3));
-                line("angle", found.tip_angle.scaled(1.0_f64.to_degrees()));
-                line("stiffness", found.radial_stiffness.scaled(1e-3));
-                line("arm_contact", found.preload);
-                line("volume", found.volume.scaled(1e6));
-                for (part, (_, force)) in openings.iter().zip(&found.forces) {
-                    line(&format!("force {part}"), *force);
                 }
                 let _ = writeln!(text, "unknowns {:?}", found.evidence.unknowns);
             }
@@ -157,15 +157,15 @@ impl ComputedStar {
     pub fn line(&self) -> String {
         let mut line = self.star.words();
         let Some(shell) = &self.found else { return line + " refused" };
-        let mut add = |name: &str, Number { value, error }: Number, decimals: usize| {
+        let mut numbers = vec![
+            ("radius".to_owned(), shell.radius, 3),
+            ("angle".to_owned(), shell.angle, 2),
+            ("stiffness".to_owned(), shell.stiffness, 4),
+            ("arm_contact".to_owned(), shell.arm_contact, 3),
+        ];
+        numbers.extend(shell.secants.iter().map(|(part, secant)| (format!("secant {part}"), *secant, 3)));
+        for (name, Number { value, error }, decimals) in numbers {
             let _ = write!(line, " {name} {value:.decimals$} {error:.decimals$}");
-        };
-        add("radius", shell.radius, 3);
-        add("angle", shell.angle, 2);
-        add("stiffness", shell.stiffness, 4);
-        add("arm_contact", shell.arm_contact, 3);
-        for (part, secant) in &shell.secants {
-            add(&format!("secant {part}"), *secant, 3);
         }
         line
     }

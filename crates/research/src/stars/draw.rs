@@ -200,17 +200,16 @@ fn throw((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dic
 impl DrawnStar {
     /// As the shell's input.
     pub fn flat(&self) -> FlatStar {
-        let mm = |length: f64| 1e-3 * length;
-        let (t, young) = (mm(self.thickness), 1e6 * YOUNG);
+        let (t, young) = (1e-3 * self.thickness, 1e6 * YOUNG);
         let bending = young * t.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
         let fabric = Fabric::isotropic(young * t, bending, POISSON);
         FlatStar {
-            tube: Tube { width: mm(self.width), fabric, pressure: 1e3 * self.pressure },
+            tube: Tube { width: 1e-3 * self.width, fabric, pressure: 1e3 * self.pressure },
             points: self.points,
-            inner_radius: mm(self.inner_radius),
+            inner_radius: 1e-3 * self.inner_radius,
             tip_angle: self.tip_angle.to_radians(),
-            tip_radius: mm(self.tip_radius),
-            corner_radius: mm(self.corner_radius),
+            tip_radius: 1e-3 * self.tip_radius,
+            corner_radius: 1e-3 * self.corner_radius,
             band: 0.0,
             margin: Margin::NONE,
         }
