@@ -73,13 +73,12 @@ const HEAVY: f64 = 0.1;
 
 /// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`; and that step.
 fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> (f64, f64) {
-    let rounded = |step: f64| round(x / step) * step;
-    let is_kept = |step: f64| {
-        limit.is_none_or(|limit| (rounded(step) < limit, rounded(step) > limit) == (x < limit, x > limit))
+    let is_kept = |(end, _): &(f64, f64)| {
+        limit.is_none_or(|limit| (*end < limit, *end > limit) == (x < limit, x > limit))
     };
+    let mut ends = finer(step).map(|step| (round(x / step) * step, step));
     // An end within a millionth of a step of the limit is printed as any other.
-    let step = finer(step).find(|step| is_kept(*step)).unwrap_or(step);
-    (rounded(step), step)
+    ends.find(is_kept).unwrap_or((round(x / step) * step, step))
 }
 
 /// `step`, and up to six digits more.
@@ -89,11 +88,11 @@ fn finer(step: f64) -> impl Iterator<Item = f64> {
 
 /// Two numbers with as many decimals as tell them apart from each other and from 0, one at least.
 pub fn distinct(a: f64, b: f64) -> [String; 2] {
-    let texts = |decimals: usize| [a, b].map(|number| format!("{number:.decimals$}"));
     let differ = |texts: &[String; 2]| {
         texts[0] != texts[1] && texts.iter().zip([a, b]).all(|(text, number)| number == 0.0 || !is_zero(text))
     };
-    (1..9).map(texts).find(differ).unwrap_or_else(|| texts(6))
+    let mut texts = (1..9).map(|decimals| [a, b].map(|number| format!("{number:.decimals$}")));
+    texts.find(differ).unwrap_or_else(|| [a, b].map(|number| format!("{number:.6}")))
 }
 
 /// Whether all digits of a printed number are 0.
