@@ -1,4 +1,5 @@
 use super::*;
+use crate::mechanics::hinge::Hinge;
 use crate::mechanics::hinge::bvp::Bvp;
 use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::Ring;
