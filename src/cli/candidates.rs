@@ -150,11 +150,11 @@ fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
 /// Candidates as a table.
 fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     let columns = shown_columns(width(&stdout()));
-    let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()), columns);
-    candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints), columns))
+    let head = line(&COLUMNS.map(|(heading, _, _)| heading.to_owned()), columns);
+    candidates.iter().fold(head, |table, candidate| table + &line(&cells(candidate, constraints), columns))
 }
 
-fn line(cells: [String; COLUMNS.len()], is_shown: [bool; COLUMNS.len()]) -> String {
+fn line(cells: &[String; COLUMNS.len()], is_shown: [bool; COLUMNS.len()]) -> String {
     let visible = cells.iter().zip(COLUMNS).zip(is_shown).filter(|(_, is_shown)| *is_shown);
     let cells = visible.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
     format!("# {}", cells.collect::<Vec<_>>().join("  ")).trim_end().to_owned() + "\n"

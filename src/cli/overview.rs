@@ -133,7 +133,7 @@ fn in_words(star: &StarSpec) -> String {
     let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
     let radii = [("tip radius", tip_radius), ("corner radius", corner_radius)];
     let round = radii.into_iter().filter(|(_, radius)| **radius != Length(0.0));
-    let curved: String = round.map(|(name, radius)| format!(", {name} {radius}")).collect();
+    let curved = round.map(|(name, radius)| format!(", {name} {radius}")).collect::<Vec<_>>().concat();
     format!(
         "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{curved}"
     )

@@ -175,7 +175,7 @@ pub fn coupons(
 
 /// The strips of `grid`, a program for each setting.
 fn strip_coupons(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Result<Vec<Coupon>, Refusals> {
-    let coupons = grid.settings().into_iter().map(|(heat, speed, height)| {
+    let coupons = grid.settings().map(|(heat, speed, height)| {
         let (mut spec, mut machine) = (spec.clone(), machine.clone());
         heat.set(&mut spec.seal);
         spec.seal.speed = speed;

@@ -92,10 +92,10 @@ impl Pen {
                 self.curve(self.mirrored(cubic), self.place(abs, x2, y2), self.place(abs, x, y));
             }
             PathSegment::Quadratic { abs, x1, y1, x, y } => {
-                self.bend(self.place(abs, x1, y1), self.place(abs, x, y))
+                self.bend(self.place(abs, x1, y1), self.place(abs, x, y));
             }
             PathSegment::SmoothQuadratic { abs, x, y } => {
-                self.bend(self.mirrored(quadratic), self.place(abs, x, y))
+                self.bend(self.mirrored(quadratic), self.place(abs, x, y));
             }
             PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } => {
                 let end = self.place(abs, x, y);

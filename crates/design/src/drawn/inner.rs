@@ -18,7 +18,7 @@ pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
         cuts.sort_by(f64::total_cmp);
         for cut in cuts.windows(2).filter(|cut| (cut[1] - cut[0]) * segment.length() > 1e-6) {
             let part = segment.part(cut[0], cut[1]);
-            if enclosures.enclosing(part.point(0.5)).len() % 2 == 0 {
+            if enclosures.enclosing(part.point(0.5)).len().is_multiple_of(2) {
                 runs.push(Vec::new());
             } else if let Some(last) = runs.last_mut() {
                 last.push(part);
