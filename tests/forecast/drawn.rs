@@ -195,6 +195,7 @@ fn a_star_drawn_as_a_region_is_the_star() {
         band,
         probes: Vec::new(),
         partial: Vec::new(),
+        plates: None,
     };
     let drawn = region(&case, Fineness { cells: 1.5, cuts: 2 }, &watch).expect("a region");
     assert_eq!((chamber.islands.len(), chamber.holes.len(), drawn.wrinkles), (0, 1, Wrinkles::Resolved));

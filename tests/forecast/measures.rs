@@ -2,11 +2,13 @@
 
 use stargrip_cam::design::{Design, DrawnPieces};
 use stargrip_cam::forecast::drawn::measures::{MeasurePrediction, MeasuredQuantity};
+use stargrip_cam::forecast::drawn::text::text;
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::Watch;
+use stargrip_cam::spec::units::Length;
 use stargrip_cam::spec::{Machine, Source, Spec, read};
 
 /// A spec and the pieces of its drawing.
@@ -99,6 +101,42 @@ fn measures_only_look() {
     let measured = inflated(&Drawn { spec, pieces }).prediction;
     let unmeasured = inflated(&pouches("", "1")).prediction;
     assert_eq!((measured.chambers, unmeasured.measures), (unmeasured.chambers, Vec::new()));
+}
+
+/// A square pouch has two stable shapes here: one of the seams across folds in the middle of the higher one, which so is far shorter there. Its
+/// measure has a range that holds both, and a warning says that other folds may differ by more.
+#[test]
+fn a_measure_on_folds_has_a_range() {
+    let air = "<rect x=\"80\" y=\"60\" width=\"40\" height=\"40\"/>";
+    let measures = "<path id=\"along\" d=\"M100 60V100\"/><path id=\"across\" d=\"M80 80H120\"/>";
+    let square = drawing(air, "<path d=\"M90 56V64\"/>", measures, "5.4");
+    let answer = inflated(&square);
+    let folded = ["along", "across"].map(|name| by_name(&answer, name).distance_mm.expect("measured"));
+    let shorter = if value(Some(folded[0])) < value(Some(folded[1])) { folded[0] } else { folded[1] };
+    let [low, high] = shorter.range.expect("two shapes");
+    assert!(low < value(Some(shorter)) && value(Some(shorter)) < 30.0 && high > 36.0, "{shorter:?}");
+    let warnings = &answer.prediction.evidence.warnings;
+    assert!(warnings.iter().any(|warning| warning.text.contains("where folds lie")), "{warnings:?}");
+    let page = text(&square.spec, &answer.prediction, false);
+    assert!(page.lines().any(|line| line.contains("distance") && line.contains(" to ")), "{page}");
+}
+
+/// Between plates a pouch presses with the pressure on the area that touches them; bent fabric bears a part of it at the edge of that area.
+#[test]
+fn a_pouch_presses_on_plates() {
+    let mut pouch = pouches("", "14");
+    pouch.spec.load.as_mut().expect("a load").plates = Some(Length(15.0));
+    let answer = inflated(&pouch);
+    for chamber in &answer.prediction.chambers {
+        let plates = chamber.plates.expect("plates");
+        // 14 kPa are 0.014 N/mm^2.
+        let by_area = plates.force_N.value / (0.014 * plates.contact_area_mm2.value);
+        assert!((by_area - 1.0).abs() < 0.05, "{plates:?}");
+        let height = chamber.height_mm.expect("inflated");
+        assert!((height.value - 15.0).abs() < 0.05 + height.mesh_error, "{height:?}");
+    }
+    let page = text(&pouch.spec, &answer.prediction, false);
+    assert!(page.contains("force on each plate") && page.contains("contact area"), "{page}");
 }
 
 /// The flat values of `measure` on two pouches.

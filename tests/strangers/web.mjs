@@ -219,7 +219,7 @@ async function shell(page, what) {
     must((await words()).length === 0, `${what}: measures that are switched off are shown`);
     await page.click("#view-drawing");
     const [length] = await page.locator("#canvas .measured").allTextContents();
-    must(/^across: distance \d{2}(\.\d)? mm$/.test(length), `${what}: what is measured after inflation is ${length}`);
+    must(/^across: distance \d{2}(\.\d)?( ± [\d.]+| \([\d.]+ to [\d.]+\)) mm$/.test(length), `${what}: what is measured after inflation is ${length}`);
     await page.click("#view-sheet");
 }
 

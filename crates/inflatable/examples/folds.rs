@@ -73,8 +73,15 @@ fn row(
     let (e, nu, t) = (128e6, 0.39, 0.3e-3_f64);
     let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu);
     let chamber = chambers(&[outline], &[], &[])?.remove(0);
-    let case =
-        FlatRegion { chamber, fabric, pressure: 1e3 * kilopascals, band: 0.003, probes, partial: Vec::new() };
+    let case = FlatRegion {
+        chamber,
+        fabric,
+        pressure: 1e3 * kilopascals,
+        band: 0.003,
+        probes,
+        partial: Vec::new(),
+        plates: None,
+    };
     let inflated = region(&case, fineness.unwrap_or_else(|| case.quick()), &Watch::default())?;
     let other = inflated.second.as_ref().map_or_else(String::new, |second| number(second.height, 1e3));
     println!(

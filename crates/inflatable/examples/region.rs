@@ -52,6 +52,7 @@ fn run(
         band: 0.003,
         probes: Vec::new(),
         partial: Vec::new(),
+        plates: None,
     };
     let quick = case.quick();
     let fineness = Fineness { cells: cells.unwrap_or(quick.cells), ..quick };

@@ -151,7 +151,7 @@ const OF_STARS: [(&str, &str); 3] = [
 pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     let drawing = read_section(&mut reader.section("drawing"));
     if drawing.is_none() {
-        refuse_chambers(reader);
+        refuse_loads_of_drawings(reader);
         return None;
     }
     for (section, remedy) in OF_STARS {
@@ -167,9 +167,9 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     refuse_unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
     let load = (
         "no model predicts the force of a drawn shape on an object",
-        "delete it; only `pressure` and `chambers` count here",
+        "delete it; only `pressure`, `chambers` and `plates` count here",
     );
-    refuse_unlike(reader, "load", |key| ["pressure", "chambers"].contains(&key), load);
+    refuse_unlike(reader, "load", |key| ["pressure", "chambers", "plates"].contains(&key), load);
     let hole = (
         "only stars have a flap on the hole side",
         "delete it; the holes of a drawing are cut as they are drawn",
@@ -179,13 +179,18 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     drawing
 }
 
-/// A fault for pressures of chambers of a star, which has one chamber.
-fn refuse_chambers(reader: &mut Reader<'_>) {
-    let load = reader.raw.root().get("load").and_then(RawValue::as_table);
-    let Some(chambers) = load.and_then(|load| load.get("chambers")) else { return };
-    let fault =
-        Fault::error(FaultCode::Conflict, chambers.span.clone(), "`chambers` in [load] without [drawing]");
-    reader.faults.push(fault.label("a star has one chamber").help("delete it; `pressure` is the star's"));
+/// A fault for each load of drawings beside a star: pressures of chambers, and plates.
+fn refuse_loads_of_drawings(reader: &mut Reader<'_>) {
+    let Some(load) = reader.raw.root().get("load").and_then(RawValue::as_table) else { return };
+    for (key, label, help) in [
+        ("chambers", "a star has one chamber", "delete it; `pressure` is the star's"),
+        ("plates", "no model presses a star between plates", "delete it"),
+    ] {
+        let Some(value) = load.get(key) else { continue };
+        let message = format!("`{key}` in [load] without [drawing]");
+        let fault = Fault::error(FaultCode::Conflict, value.span.clone(), message);
+        reader.faults.push(fault.label(label).help(help));
+    }
 }
 
 /// A fault for each key of `section` that drawings do not have (`is_of_drawings`), with a label and a remedy.

@@ -146,7 +146,7 @@ keys! {
     load "load" {
         PRESSURE "pressure", OBJECT_DIAMETER "object_diameter", OBJECT_RADIUS "object_radius", OBJECT_HEIGHT "object_height",
         OBJECT_SHAPE "object_shape", FRICTION "friction", FRICTION_LEAST "friction_least", FRICTION_MOST "friction_most",
-        MASS "mass", LARGEST_FORCE "largest_force", CHAMBERS "chambers",
+        MASS "mass", LARGEST_FORCE "largest_force", CHAMBERS "chambers", PLATES "plates",
     }
     accuracy "accuracy" { PATH "path", MODEL "model", RESPONSE "response" }
     build "build" { WITH "with", LINK "link" }

@@ -24,6 +24,7 @@ pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         mass: s.quantity("mass", Allowed::half_open(0.0, 1e4)),
         largest_force: s.quantity("largest_force", Allowed::half_open(0.0, 1e6)),
         chambers: s.quantities("chambers", Allowed::closed(0.0, 1e6)),
+        plates: s.quantity("plates", SIZE),
     };
     check_friction(s, &load);
     s.is_written().then_some(load)

@@ -329,6 +329,8 @@ pub struct Load {
     pub largest_force: Option<Force>,
     /// Gauge pressures of chambers of a drawing that differ from `pressure`, by the names of their ports.
     pub chambers: Vec<(String, Pressure)>,
+    /// Distance of two rigid level plates between which a drawing's chambers are inflated.
+    pub plates: Option<Length>,
 }
 
 impl Load {

@@ -38,6 +38,7 @@ const CLAMPS: &str = "keep_out";
 pub(super) const INSTEAD: &str = r#"
 [load]
 chambers = { "right-hose": "0 kPa" }  # pressures of chambers of a drawing that differ from `pressure`, by the names of their ports
+plates = "20 mm"  # distance of two rigid level plates between which the chambers of a drawing are inflated; absent: no plates
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
 [seal]
 strength = "3 N/mm"  # peel strength of the seams, in place of `seal_strength` in [fabric]; set one of the two

@@ -587,6 +587,9 @@ class Chamber:
     def second_shape(self) -> dict[str, Any] | None:
         """The other stable shape at this pressure, if one was found."""
     @property
+    def plates(self) -> dict[str, Any] | None:
+        """Contact with each plate, between `plates` of [load]: `force_N` and `contact_area_mm2`."""
+    @property
     def height_mm(self) -> dict[str, Any] | None:
         """Largest distance between the sheets."""
     @property

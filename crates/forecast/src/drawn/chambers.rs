@@ -50,6 +50,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
             band: spec.seal.band.metres(),
             probes: Vec::new(),
             partial: Vec::new(),
+            plates: None,
         },
         flat,
     };

@@ -4,6 +4,7 @@
 //! chamber lies best on the flat one; each quantity is computed on each mesh, and so has a mesh error of its own.
 
 use crate::drawn::chambers::DrawnChamber;
+use crate::interval::{Interval, hull};
 use crate::meshed::{MeshedValue, six};
 use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
@@ -23,6 +24,9 @@ pub struct MeasuredQuantity {
     pub inflated: Option<MeshedValue>,
     /// On the finest mesh, as its VTU file has it.
     pub finest_mesh: Option<f64>,
+    /// Range with the mesh errors of both computed shapes, where these differ by more than the mesh error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<Interval>,
 }
 
 /// One measure: the quantities that its form has, flat and inflated.
@@ -159,6 +163,7 @@ impl PlacedMeasure {
                 flat: six(value),
                 inflated: None,
                 finest_mesh: None,
+                range: None,
             });
             *answer.quantity_mut(*kind) = quantity;
         }
@@ -170,27 +175,40 @@ impl PlacedMeasure {
         self.points.iter().chain(self.reference.iter().flat_map(|line| &line.ends))
     }
 
-    /// Adds to `answer` its quantities after inflation, from the positions of its points on each mesh, coarse to fine, mm.
-    fn fill(&self, answer: &mut MeasurePrediction, meshes: &[Vec<[f64; 3]>]) {
+    /// Adds to `answer` its quantities after inflation, from the positions of its points on each mesh, coarse to fine, mm; `other_meshes` are
+    /// those of the other computed shape, or empty.
+    fn fill(&self, answer: &mut MeasurePrediction, meshes: &[Vec<[f64; 3]>], other_meshes: &[Vec<[f64; 3]>]) {
         for kind in self.kinds {
             let Some(quantity) = answer.quantity_mut(*kind) else { continue };
-            let values = meshes.iter().map(|positions| {
-                let (points, reference) = positions.split_at(self.points.len());
-                kind.value(points, reference)
-            });
-            let values: Option<Vec<f64>> = values.collect();
-            let Some(mut values) = values.filter(|values| !values.is_empty()) else { continue };
-            if *kind == MeasuredKind::Direction {
-                for value in &mut values {
-                    *value = unwrapped(*value, quantity.flat);
-                }
-            }
-            let last = values.len() - 1;
-            let value = Value::new(std::array::from_fn(|mesh| values[mesh.min(last)]));
+            let Some(value) = self.meshed(*kind, quantity.flat, meshes) else { continue };
             quantity.inflated = Some(MeshedValue::rounded(value));
-            quantity.finest_mesh = Some(values[last]);
+            quantity.finest_mesh = Some(value.meshes[2]);
+            let other = self.meshed(*kind, quantity.flat, other_meshes);
+            quantity.range = other.and_then(|other| range_of_shapes(value, other));
         }
     }
+
+    /// The quantity `kind` from the positions of all points on each mesh; `None` without a mesh, or where it has no value. A direction is within
+    /// half a turn of `flat`.
+    fn meshed(&self, kind: MeasuredKind, flat: f64, meshes: &[Vec<[f64; 3]>]) -> Option<Value> {
+        let last = meshes.len().checked_sub(1)?;
+        let mut values = [0.0; 3];
+        for (mesh, value) in values.iter_mut().enumerate() {
+            let (points, reference) = meshes[mesh.min(last)].split_at(self.points.len());
+            *value = kind.value(points, reference)?;
+            if kind == MeasuredKind::Direction {
+                *value = unwrapped(*value, flat);
+            }
+        }
+        Some(Value::new(values))
+    }
+}
+
+/// The range of a quantity by two shapes with their mesh errors; `None` where that of the first contains both values.
+fn range_of_shapes(value: Value, other: Value) -> Option<Interval> {
+    let differs = (other.value - value.value).abs() > value.error;
+    let ends = |value: Value| [value.value - value.error, value.value + value.error].map(six);
+    differs.then(|| hull(ends(value), ends(other)))
 }
 
 /// `degrees` within half a turn of `reference`.
@@ -340,9 +358,9 @@ pub(super) fn fill(
     let mut first = 0;
     for (measure, answer) in measures.iter().zip(answers).filter(|(measure, _)| measure.chamber == index) {
         let end = first + measure.all_points().count();
-        let meshes: Vec<Vec<[f64; 3]>> =
-            inflated.probed.iter().map(|probes| in_mm(&probes[first..end])).collect();
-        measure.fill(answer, &meshes);
+        let [meshes, other_meshes] = [&inflated.probed, &inflated.other_probed]
+            .map(|meshes| meshes.iter().map(|probes| in_mm(&probes[first..end])).collect::<Vec<_>>());
+        measure.fill(answer, &meshes, &other_meshes);
         first = end;
     }
 }

@@ -5,6 +5,7 @@
 
 pub mod chambers;
 pub mod measures;
+pub mod plates;
 pub mod prediction;
 pub mod pressures;
 pub mod seams;
@@ -21,9 +22,9 @@ use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::work::ShellWork;
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
-use design::{DrawnPiece, DrawnPieces};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, region};
-use spec::units::Pressure;
+use design::{DrawnPiece, DrawnPieces, RefusalCode};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
+use spec::units::{Length, Pressure, Readable};
 use spec::{Load, ModelChoice, Spec, key};
 
 pub use inflatable::shell::cases::{Surface, Watch};
@@ -85,20 +86,23 @@ pub fn inflate(
     let (_, pressure) = loaded(spec).ok_or_else(no_pressure)?;
     refuse_large(chambers, detail, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
-    let mut is_weave_left_out = false;
+    let (mut is_weave_left_out, mut is_measured_on_folds) = (false, false);
     let strengths = SeamStrengths::new(spec, pieces);
     let count = chambers.len();
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(placed, number);
         let RegionPressure { highest, partial } = &pressures[number];
         let partial = partial.clone();
-        let case = FlatRegion { pressure: highest.pascals(), probes, partial, ..chamber.region.clone() };
+        let plates = spec.load.as_ref().and_then(|load| load.plates).map(Length::metres);
+        let case =
+            FlatRegion { pressure: highest.pascals(), probes, partial, plates, ..chamber.region.clone() };
         #[expect(clippy::cast_precision_loss, reason = "few chambers")]
         let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
         let inflated = watch
             .run_part(ends, |watch| region(&case, chamber.fineness(detail), watch))
             .map_err(|why| not_inflated(&why, spec, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
+        is_measured_on_folds |= !case.probes.is_empty() && inflated.may_fold(&case);
         answer.fill(&inflated, pieces, *highest, &strengths);
         answer.scale_burst(pressure.0 / highest.0);
         measures::fill(placed, &mut prediction.measures, number, &inflated);
@@ -110,6 +114,10 @@ pub fn inflate(
     prediction.of_all(pressure);
     let parted: usize = pieces.pieces.iter().map(|piece| piece.shape.topology().chambers.len()).sum();
     let warnings = [
+        is_measured_on_folds.then(|| {
+            "measures depend on where folds lie: their ranges contain the computed shapes, and other folds may differ by more"
+                .to_owned()
+        }),
         is_weave_left_out.then(|| {
             "shear_modulus is left out of the mean of wrinkles that are not resolved: there the sheet is isotropic".to_owned()
         }),

@@ -2,6 +2,7 @@
 
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
+use crate::drawn::plates::PlatesPrediction;
 use crate::drawn::pressures::PortPressure;
 use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
 use crate::drawn::shapes::{
@@ -63,7 +64,7 @@ keyed! {
 kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
-    Object: MeshedValue, DrawnEvidence, ShapeRanges, SecondShape, FirstOpening;
+    Object: MeshedValue, DrawnEvidence, ShapeRanges, SecondShape, PlatesPrediction, FirstOpening;
     List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<PortPressure>, Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
 }
@@ -130,6 +131,9 @@ keyed! {
         /// The other stable shape at this pressure, if one was found.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub second_shape: Option<SecondShape>,
+        /// Contact with each plate, between `plates` of [load]: `force_N` and `contact_area_mm2`.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub plates: Option<PlatesPrediction>,
         /// Largest distance between the sheets.
         pub height_mm: Option<MeshedPlace>,
         /// Extents of the inflated chamber where it lies best on the flat one.
@@ -286,6 +290,7 @@ impl ChamberPrediction {
         let volume = MeshedValue::rounded(region.volume.scaled(1e9));
         self.ranges =
             largest.and_then(|pull| ShapeRanges::of_region(region, [pull, second_pull.unwrap_or(pull)]));
+        self.plates = PlatesPrediction::new(region);
         self.second_shape = second_pull.and_then(|pull| SecondShape::new(region, pull));
         (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
@@ -437,10 +442,6 @@ impl DrawnPrediction {
         ];
         let texts = of_shapes.iter().filter(|(names, _)| !names.is_empty()).map(|(names, text)| text(names));
         list.extend(texts.map(PredictionWarning::from));
-        if !self.measures.is_empty() && self.chambers.iter().any(|one| one.ranges.is_some()) {
-            let text = "measures have mesh errors only: another shape with folds may differ by more";
-            list.push(PredictionWarning::new(WarningCode::Validity, text));
-        }
         for one in &self.chambers {
             let coarse = [
                 one.volume_mm3.map(|v| (v.value, v.mesh_error)),

@@ -55,10 +55,10 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction, is_full: bool) -> String 
 
 /// A line for each quantity of a measure: flat, and inflated with its mesh error.
 fn of_measure(page: &mut String, measure: &MeasurePrediction) {
-    for (word, unit, MeasuredQuantity { flat, inflated, .. }) in measure.quantities() {
+    for (word, unit, MeasuredQuantity { flat, inflated, range, .. }) in measure.quantities() {
         let flat = format!("flat {} {unit}", shown::rounded(flat));
         let value =
-            inflated.map_or(flat.clone(), |inflated| format!("{}; {flat}", number(inflated, None, unit)));
+            inflated.map_or(flat.clone(), |inflated| format!("{}; {flat}", number(inflated, range, unit)));
         let reference =
             measure.angle_to.as_ref().filter(|_| word == "angle").map(|name| format!(" to {name}"));
         line(page, &format!("{}, {word}{}", measure.measure, reference.unwrap_or_default()), value);
@@ -88,6 +88,12 @@ fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
         chamber.volume_mm3.map(|volume| litres(volume, ranges.map(|ranges| ranges.volume_mm3))),
     );
     line(page, "second stable shape", chamber.second_shape.map(second));
+    line(
+        page,
+        "force on each plate",
+        chamber.plates.map(|plates| number(plates.force_N, plates.force_range_N, "N")),
+    );
+    line(page, "contact area", chamber.plates.map(|plates| number(plates.contact_area_mm2, None, "mm^2")));
     line(page, "largest stretch", place(chamber.largest_stretch, None, ""));
     line(page, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
     let plane_text = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {

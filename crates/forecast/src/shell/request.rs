@@ -175,9 +175,9 @@ pub(crate) fn refused(
         }
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
         ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
-        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
-            key::load::PRESSURE
-        }
+        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. }
+        | ShellFault::Stopped { .. }
+        | ShellFault::Overlap { .. } => key::load::PRESSURE,
         ShellFault::Range { name: Input::Width | Input::Arms, .. }
         | ShellFault::Mesh(_)
         | ShellFault::TooLarge { .. }

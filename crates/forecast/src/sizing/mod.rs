@@ -231,6 +231,7 @@ impl Requirements {
             mass: Some(self.mass),
             largest_force: self.largest_force,
             chambers: Vec::new(),
+            plates: None,
         }
     }
 

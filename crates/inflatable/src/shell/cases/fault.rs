@@ -55,6 +55,11 @@ pub enum ShellFault {
         /// Triangles of the mesh.
         triangles: usize,
     },
+    /// The inflated shape lies over itself, and contact of a shape with itself is not computed.
+    Overlap {
+        /// Two places of the flat rims that cross each other, m.
+        places: [[f64; 2]; 2],
+    },
     /// The computation was cancelled.
     Cancelled,
 }
@@ -150,6 +155,14 @@ impl fmt::Display for ShellFault {
                 write!(
                     f,
                     "no equilibrium at 1/eps = {at:.4} on {triangles} triangles: {reason}; {last_state}: use a lower pressure"
+                )
+            }
+            Self::Overlap { places: [[x, y], [other_x, other_y]] } => {
+                let [x, y, other_x, other_y] = [x, y, other_x, other_y].map(|metres| 1e3 * metres);
+                write!(
+                    f,
+                    "inflated, the edge at X {x:.1} Y {y:.1} mm crosses that at X {other_x:.1} Y {other_y:.1} mm, and contact of a chamber with \
+                     itself is not computed: use a lower pressure, or draw these edges further apart"
                 )
             }
             Self::Cancelled => write!(f, "the computation of the shell was stopped"),

@@ -38,8 +38,8 @@ pub use margin::{Margin, MarginLaw};
 pub use objects::{Hysteresis, MOST_OBJECTS, Objects};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
-    FlatRegion, InflatedRegion, PartialPressure, PlaneState, RegionSeam, SeamPull, Surface, Wrinkles,
-    chambers, region,
+    FlatRegion, InflatedRegion, PartialPressure, PlaneState, PlateContact, RegionSeam, SeamPull, Surface,
+    Wrinkles, chambers, region,
 };
 pub use sector::ModelledSector;
 pub use shape::InflatedShape;

@@ -1,4 +1,4 @@
-//! Contact of the sheet: with planes of symmetry, where an arm meets its image, and with a rigid round object.
+//! Contact of the sheet: with planes of symmetry, where an arm meets its image, with a rigid round object, and with a rigid plate above it.
 //!
 //! Each point of the mesh has the flat area a around it and must keep its **gap** g >= 0 to each **obstacle**. The
 //! augmented Lagrangian is the sum of a/(2 k) (max(0, q - k g)^2 - q^2), with a contact pressure q kept for each pair and
@@ -22,6 +22,11 @@ pub enum Obstacle {
         /// Radius of the object.
         radius: f64,
     },
+    /// A rigid level plate above the sheet.
+    Plate {
+        /// Height of its lower face.
+        height: f64,
+    },
 }
 
 impl Obstacle {
@@ -33,13 +38,14 @@ impl Obstacle {
                 let distance = libm::hypot(x[0], x[1]);
                 (distance - radius, [x[0] / distance, x[1] / distance, 0.0])
             }
+            Self::Plate { height } => (height - x[2], [0.0, 0.0, -1.0]),
         }
     }
 
     /// The second derivative of the gap along the obstacle.
     fn curvature(&self, x: Vector) -> f64 {
         match self {
-            Self::Wall(_) => 0.0,
+            Self::Wall(_) | Self::Plate { .. } => 0.0,
             Self::Post { .. } => 1.0 / libm::hypot(x[0], x[1]),
         }
     }
@@ -200,7 +206,7 @@ impl Contact {
             let tangent = [-normal[1], normal[0], 0.0];
             let curvature_force = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
             assembly.add_at_point(point, times(-area * push, normal), |v| {
-                let pressed = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
+                let pressed = area * self.stiffness * dot(normal, v);
                 let turned = curvature_force * (tangent[0] * v[0] + tangent[1] * v[1]);
                 add_scaled(times(pressed, normal), turned, tangent)
             });

@@ -8,6 +8,11 @@ fn projected(x: [Vector; 3]) -> f64 {
     (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1])
 }
 
+/// The area of the triangle with these corners in plan view, signed.
+pub fn projected_area(corners: [Vector; 3]) -> f64 {
+    projected(corners) / 2.0
+}
+
 /// The volume below the triangle with these corners.
 pub fn volume(corners: [Vector; 3]) -> f64 {
     (corners[0][2] + corners[1][2] + corners[2][2]) * projected(corners) / 6.0

@@ -66,6 +66,15 @@ pub struct SeamPull {
     pub pull: Value,
 }
 
+/// Contact with each of two plates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlateContact {
+    /// Force on one plate, N.
+    pub force: Value,
+    /// Area of the sheet that touches it, as it is stretched, m^2.
+    pub area: Value,
+}
+
 /// A chamber under pressure; both sheets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InflatedRegion {
@@ -112,6 +121,12 @@ pub struct InflatedRegion {
     pub surface: Surface,
     /// The positions of the probes on the upper sheet, m, where the inflated chamber lies best on the flat one; of each mesh, coarse to fine.
     pub probed: Vec<Vec<[f64; 3]>>,
+    /// The same of the other computed shape, whether it counts as a second one or differs by its folds only; empty if one shape was computed.
+    pub other_probed: Vec<Vec<[f64; 3]>>,
+    /// Contact with plates, if it lies between some.
+    pub plates: Option<PlateContact>,
+    /// Two places of the flat rims, m, that cross each other in the inflated shape.
+    pub overlap: Option<[[f64; 2]; 2]>,
     /// Energy of both sheets less the work of the pressure, J.
     pub energy: Value,
     /// The other stable shape at this pressure, of more energy, if another one was found.
@@ -160,6 +175,7 @@ pub(super) struct FamilyResults {
     pub(super) probed: Vec<Vec<[f64; 3]>>,
     /// The places of numbers on the finest mesh.
     pub(super) measured: Measured,
+    pub(super) overlap: Option<[[f64; 2]; 2]>,
     pub(super) shape: InflatedShape,
     pub(super) surface: Surface,
 }
@@ -174,8 +190,20 @@ impl FamilyResults {
         let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));
         let place = |at: [f64; 2]| at.map(|x| x * w);
         let flat = case.chamber.outline.bounds();
-        let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, energy, pull] =
-            self.values;
+        let [
+            volume,
+            height,
+            x,
+            y_extent,
+            stretch,
+            tension,
+            symmetric,
+            antisymmetric,
+            force,
+            contact_area,
+            energy,
+            pull,
+        ] = self.values;
         InflatedRegion {
             width: w,
             bendability: tube.bendability(),
@@ -198,6 +226,11 @@ impl FamilyResults {
             shape: self.shape,
             surface: self.surface,
             probed: self.probed,
+            other_probed: Vec::new(),
+            plates: case
+                .plates
+                .map(|_| PlateContact { force: force.scaled(y * w), area: contact_area.scaled(w * w) }),
+            overlap: self.overlap.map(|places| places.map(place)),
             energy: energy.scaled(2.0 * tube.energy()),
             second: None,
             evidence: self.evidence,

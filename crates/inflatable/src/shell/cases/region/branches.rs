@@ -1,6 +1,6 @@
 //! Several computed shapes of one chamber as one answer: two stable ones, or a folded and a smooth one.
 
-use crate::shell::cases::region::answer::{InflatedRegion, SeamPull, Wrinkles};
+use crate::shell::cases::region::answer::{InflatedRegion, PlateContact, SeamPull, Wrinkles};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::value::Value;
@@ -16,8 +16,9 @@ pub(super) fn lower_of(first: InflatedRegion, second: InflatedRegion) -> Inflate
     let differs = |a: Value, b: Value| (a.meshes[2] - b.meshes[2]).abs() > DIFFERENT * b.meshes[2].abs();
     let is_other = differs(higher.height, lower.height) || differs(higher.volume, lower.volume);
     let evidence = lower.evidence.join(&higher.evidence);
+    let other_probed = higher.probed.clone();
     let second = is_other.then(|| Box::new(higher));
-    InflatedRegion { second, evidence, ..lower }
+    InflatedRegion { second, evidence, other_probed, ..lower }
 }
 
 /// The weight of a shape with folds against the mean of its wrinkles.
@@ -66,13 +67,25 @@ pub(super) fn blended(smooth: &InflatedRegion, folded: &InflatedRegion, blend: B
         antisymmetric_eigenvalue: value(smooth.antisymmetric_eigenvalue, folded.antisymmetric_eigenvalue),
         shape: blended_shape(&smooth.shape, &folded.shape, part),
         surface: blended_surface(&smooth.surface, &folded.surface, part),
-        probed: (smooth.probed.iter().zip(&folded.probed))
-            .map(|(smooth_points, folded_points)| interpolated_rows(smooth_points, folded_points, part))
-            .collect(),
+        probed: blended_probes(smooth, &folded.probed, part),
+        other_probed: blended_probes(smooth, &folded.other_probed, part),
+        plates: smooth.plates.zip(folded.plates).map(|(smooth, folded)| PlateContact {
+            force: value(smooth.force, folded.force),
+            area: value(smooth.area, folded.area),
+        }),
+        overlap: folded.overlap.or(smooth.overlap),
         energy: value(smooth.energy, folded.energy),
         second: folded.second.as_ref().map(|second| Box::new(blended(smooth, second, blend))),
         evidence: smooth.evidence.join(&folded.evidence),
     }
+}
+
+/// The probes of `smooth` and of a shape with folds, mesh by mesh.
+fn blended_probes(smooth: &InflatedRegion, folded: &[Vec<[f64; 3]>], part: f64) -> Vec<Vec<[f64; 3]>> {
+    let meshes = smooth.probed.iter().zip(folded);
+    meshes
+        .map(|(smooth_points, folded_points)| interpolated_rows(smooth_points, folded_points, part))
+        .collect()
 }
 
 /// The pull on a seam, `part` of the way from that of the `smooth` shape to that of the `folded` one. Its error reaches the pull of the

@@ -20,6 +20,8 @@ pub struct FlatRegion {
     pub probes: Vec<[f64; 2]>,
     /// Chambers of lower pressure between its walls.
     pub partial: Vec<PartialPressure>,
+    /// Distance of two rigid level plates between which it is inflated, m.
+    pub plates: Option<f64>,
 }
 
 /// The chambers that `loops` enclose, in the order of their outlines, each with its islands and with those of the open `welds` that begin in

@@ -8,6 +8,7 @@ use crate::shell::cases::region::answer::{FamilyResults, InflatedRegion, Wrinkle
 use crate::shell::cases::region::branches::{Blend, blended, lower_of};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
+use crate::shell::cases::region::overlap;
 use crate::shell::cases::region::pressures::PartialPressure;
 use crate::shell::cases::region::probes;
 use crate::shell::cases::region::seams::{self, Station};
@@ -15,6 +16,7 @@ use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
+use crate::shell::contact::Obstacle;
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, Meshed};
 use geom::Path;
@@ -83,10 +85,21 @@ const MOST_STEPS: u32 = 250;
 
 /// Largest 1/eps at which the wrinkles of `chamber`, `width` wide, are resolved.
 fn most_resolved(chamber: &FlatChamber, width: f64) -> f64 {
+    if is_tube(chamber, width) { MOST_RESOLVED_OF_TUBES } else { MOST_RESOLVED }
+}
+
+/// Whether `chamber`, `width` wide, is a long tube without welds.
+fn is_tube(chamber: &FlatChamber, width: f64) -> bool {
     let is_divided = !chamber.islands.is_empty() || !chamber.welds.is_empty();
     let rims = chamber.curves().map(Path::length).sum::<f64>();
-    let is_tube = !is_divided && 2.0 * chamber.area() > TUBE * width * rims;
-    if is_tube { MOST_RESOLVED_OF_TUBES } else { MOST_RESOLVED }
+    !is_divided && 2.0 * chamber.area() > TUBE * width * rims
+}
+
+impl InflatedRegion {
+    /// Whether it may have folds that could lie elsewhere: long tubes and stiff sheets have none.
+    pub fn may_fold(&self, flat: &FlatRegion) -> bool {
+        self.bendability >= LEAST_FOLDED && !is_tube(&flat.chamber, self.width)
+    }
 }
 
 /// Area of a chamber by half its width and rims from which on it is a tube: one whose length is three times its width.
@@ -125,8 +138,8 @@ fn attempts(bendability: f64, most_resolved: f64, cells: f64) -> Vec<Attempt> {
 /// Inflates one chamber, on meshes of about the requested fineness.
 ///
 /// # Errors
-/// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry;
-/// the fault gives the place and the reason of the stop.
+/// If its curves cross or leave the outline, if it is out of range, if it has no stable equilibrium that keeps z = 0 a plane of symmetry, or if
+/// rims cross in it; the fault gives the place and the reason of the stop.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
     let tube = Tube { width: case.chamber.widest(), fabric: case.fabric, pressure: case.pressure };
     tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
@@ -142,6 +155,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
         };
         match inflated {
             Err(stop @ ShellFault::Stopped { .. }) => first_stop = first_stop.or(Some(stop)),
+            Ok(InflatedRegion { overlap: Some(places), .. }) => return Err(ShellFault::Overlap { places }),
             other => return other,
         }
     }
@@ -239,11 +253,17 @@ impl Run {
             load_parts(&sealed, sheet, &tube);
             supports
         };
-        let family = Family { approach, most_steps, ..Family::new(tube, coarsest, fineness.cuts, &hold) };
+        let plate = case.plates.map(|gap| Obstacle::Plate { height: gap / (2.0 * width) });
+        let family = Family {
+            approach,
+            most_steps,
+            obstacles: plate.as_slice(),
+            ..Family::new(tube, coarsest, fineness.cuts, &hold)
+        };
         let mut pulls: Vec<Vec<Station>> = Vec::new();
         let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
         let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
-        let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
+        let mut last = (Measured::default(), InflatedShape::default(), Surface::default(), None);
         let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
             let sealed = SealedNodes::new(&chamber, &partial, meshed);
             let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
@@ -259,11 +279,11 @@ impl Run {
             probed.push(positions.into_iter().map(|position| position.map(|x| x * width)).collect());
             let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
             let surface = Surface::new(&shape, &sealed);
-            last = (measured, shape, surface);
+            last = (measured, shape, surface, overlap::crossing(&meshed.mesh, &state.points));
             Ok(numbers)
         })?;
-        let (measured, shape, surface) = last;
-        let results = FamilyResults { values, evidence, pulls, probed, measured, shape, surface };
+        let (measured, shape, surface, overlap) = last;
+        let results = FamilyResults { values, evidence, pulls, probed, measured, overlap, shape, surface };
         Ok(results.answer(case, &tube, wrinkles))
     }
 }

@@ -1,14 +1,15 @@
 //! Measurements of each mesh of a chamber.
 
 use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::region::plates;
 use crate::shell::cases::region::stability;
 use crate::shell::cases::region::supports::SealedNodes;
 use crate::shell::element::volume::volume;
 use crate::shell::mesh::Meshed;
 use crate::shell::solver::Solver;
 
-/// Volume, height, extents, stretch, tension, both eigenvalues, energy, and the largest pull on a seam.
-pub(super) const NUMBERS: usize = 10;
+/// Volume, height, extents, stretch, tension, both eigenvalues, force and contact area of a plate, energy, and the largest pull on a seam.
+pub(super) const NUMBERS: usize = 12;
 
 /// One mesh's numbers, of both sheets, and the flat places of the largest.
 #[derive(Clone, Copy, Debug, Default)]
@@ -53,8 +54,10 @@ pub(super) fn measure(
     }
     let height = 2.0 * state.points[top][2];
     let (x, y) = (extent(0), extent(1));
+    let [force, contact_area] = plates::force_and_area(solver, mesh, state, pressure);
     let [symmetric, antisymmetric] = stability::lowest(solver, (state, pressure), sealed);
-    measured.numbers = [volume, height, x, y, stretch, tension, symmetric, antisymmetric, 0.0, 0.0];
+    measured.numbers =
+        [volume, height, x, y, stretch, tension, symmetric, antisymmetric, force, contact_area, 0.0, 0.0];
     measured
 }
 

@@ -5,13 +5,16 @@
 //! of those found from flat and from a higher pressure. Beyond, numbers lie between those of a stiffer sheet with resolved wrinkles and those
 //! of a sheet that bears no compression, whose shape is the mean of its wrinkles.
 //!
-//! Left out: contact of the shape with itself, the bands outside the outline, and the connections between chambers.
+//! A shape whose rims cross each other is refused, because contact of the shape with itself is left out; so are the bands outside the outline,
+//! and the connections between chambers.
 
 mod answer;
 mod branches;
 mod chambers;
 mod inflate;
 mod measure;
+mod overlap;
+mod plates;
 mod pressures;
 mod probes;
 mod seams;
@@ -21,7 +24,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-pub use answer::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Wrinkles};
+pub use answer::{InflatedRegion, PlaneState, PlateContact, RegionSeam, SeamPull, Wrinkles};
 pub use chambers::{FlatRegion, chambers};
 pub use inflate::region;
 pub use pressures::PartialPressure;

@@ -43,6 +43,7 @@ fn case_of(chamber: &FlatChamber, t: f64, pressure: f64) -> FlatRegion {
         band: 0.003,
         probes: Vec::new(),
         partial: Vec::new(),
+        plates: None,
     }
 }
 

@@ -1,0 +1,78 @@
+//! Whether the inflated shape lies over itself: whether its rims cross each other in the plane.
+
+use crate::shell::mesh::{Border, Mesh};
+
+/// The flat places of two edges of rims that cross each other in the shape with these `points`. Edges with a common end do not cross.
+pub(super) fn crossing(mesh: &Mesh, points: &[[f64; 3]]) -> Option<[[f64; 2]; 2]> {
+    // Sorted by their least x, an edge is compared only with those that begin before it ends.
+    let rims = mesh.edges.iter().filter(|edge| matches!(edge.border, Some(Border::Rim(_))));
+    let mut ends: Vec<[usize; 2]> = rims.map(|edge| edge.ends).collect();
+    let least_x = |[a, b]: &[usize; 2]| points[*a][0].min(points[*b][0]);
+    ends.sort_by(|a, b| least_x(a).total_cmp(&least_x(b)));
+    for (k, first) in ends.iter().enumerate() {
+        let most_x = points[first[0]][0].max(points[first[1]][0]);
+        let near = ends[k + 1..].iter().take_while(|second| least_x(second) <= most_x);
+        for second in near.filter(|second| !second.iter().any(|end| first.contains(end))) {
+            if cross(first.map(|end| points[end]), second.map(|end| points[end])) {
+                return Some([first, second].map(|edge| middle(edge.map(|end| mesh.points[end]))));
+            }
+        }
+    }
+    None
+}
+
+/// Whether two segments cross each other in plan view, each strictly inside of the other.
+fn cross([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> bool {
+    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
+}
+
+/// Twice the signed area of a triangle in plan view.
+fn turn(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+fn middle([a, b]: [[f64; 2]; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::shell::cases::{Fineness, FlatRegion, ShellFault, Watch, chambers, region};
+    use crate::shell::element::Fabric;
+    use geom::{Arc, Line, Path, Point};
+
+    /// An arc of `angle`, rad, 20 mm wide around a hole of 40 mm radius.
+    fn arc(angle: f64) -> Result<(), ShellFault> {
+        let place =
+            |radius: f64, angle: f64| Point::new(radius * libm::cos(angle), radius * libm::sin(angle));
+        let outline = Path::closed(vec![
+            Arc::new(Point::ORIGIN, 0.06, 0.0, angle).into(),
+            Line::new(place(0.06, angle), place(0.04, angle)).into(),
+            Arc::new(Point::ORIGIN, 0.04, angle, -angle).into(),
+            Line::new(place(0.04, 0.0), place(0.06, 0.0)).into(),
+        ]);
+        let (e, nu, t) = (128e6, 0.39, 0.3e-3_f64);
+        let case = FlatRegion {
+            chamber: chambers(&[outline], &[], &[])?.remove(0),
+            fabric: Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu),
+            pressure: 14e3,
+            band: 0.003,
+            probes: Vec::new(),
+            partial: Vec::new(),
+            plates: None,
+        };
+        region(&case, Fineness { cells: 2.0, cuts: 2 }, &Watch::default()).map(|_| ())
+    }
+
+    /// An arc coils by a fifth: one of 300 degrees would end within itself.
+    #[test]
+    fn a_tube_that_coils_into_itself_is_refused() {
+        assert_eq!(arc(4.0), Ok(()));
+        let fault = arc(5.24).expect_err("it coils into itself");
+        let ShellFault::Overlap { places } = fault else { panic!("{fault:?}") };
+        let is_at_an_end = |[x, y]: [f64; 2]| libm::atan2(y, x).abs() < 1.3;
+        assert!(places.into_iter().all(is_at_an_end), "{places:?}");
+        let text = ShellFault::Overlap { places }.to_string();
+        assert!(text.contains("contact of a chamber with itself is not computed"), "{text}");
+    }
+}
