@@ -45,6 +45,11 @@ impl MeshedPlace {
     }
 }
 
+/// `value` less and plus its mesh error.
+pub(super) fn with_error(value: Value) -> [f64; 2] {
+    [value.value - value.error, value.value + value.error]
+}
+
 /// Six digits: more than any mesh is good for, and few enough that the last bits of a sine do not show.
 pub(super) fn six(x: f64) -> f64 {
     format!("{:.5e}", x + 0.0).parse().unwrap_or(x)

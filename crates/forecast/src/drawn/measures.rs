@@ -5,7 +5,7 @@
 
 use crate::drawn::chambers::DrawnChamber;
 use crate::interval::{Interval, hull};
-use crate::meshed::{MeshedValue, six};
+use crate::meshed::{MeshedValue, six, with_error};
 use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
 use geom::{Nearest, Point, Vec2, fitted_circle};
@@ -207,8 +207,7 @@ impl PlacedMeasure {
 /// The range of a quantity by two shapes with their mesh errors; `None` where that of the first contains both values.
 fn range_of_shapes(value: Value, other: Value) -> Option<Interval> {
     let differs = (other.value - value.value).abs() > value.error;
-    let ends = |value: Value| [value.value - value.error, value.value + value.error].map(six);
-    differs.then(|| hull(ends(value), ends(other)))
+    differs.then(|| hull(with_error(value), with_error(other)).map(six))
 }
 
 /// `degrees` within half a turn of `reference`.

@@ -91,11 +91,8 @@ pub fn inflate(
     let count = chambers.len();
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(placed, number);
-        let RegionPressure { highest, partial } = &pressures[number];
-        let partial = partial.clone();
-        let plates = spec.load.as_ref().and_then(|load| load.plates).map(Length::metres);
-        let case =
-            FlatRegion { pressure: highest.pascals(), probes, partial, plates, ..chamber.region.clone() };
+        let RegionPressure { highest, .. } = &pressures[number];
+        let case = case_of(spec, chamber, &pressures[number], probes);
         #[expect(clippy::cast_precision_loss, reason = "few chambers")]
         let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
         let inflated = watch
@@ -136,6 +133,22 @@ pub fn inflate(
     ];
     prediction.evidence.warnings.extend(warnings.into_iter().flatten().map(PredictionWarning::from));
     Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// `chamber` at its pressures, between the plates of `spec`, with the places whose positions are wanted.
+fn case_of(
+    spec: &Spec,
+    chamber: &DrawnChamber,
+    pressure: &RegionPressure,
+    probes: Vec<[f64; 2]>,
+) -> FlatRegion {
+    FlatRegion {
+        pressure: pressure.highest.pascals(),
+        probes,
+        partial: pressure.partial.clone(),
+        plates: spec.load.as_ref().and_then(|load| load.plates).map(Length::metres),
+        ..chamber.region.clone()
+    }
 }
 
 /// The longest time of a drawing that a command computes unasked, s: six times as many unknowns as a usual drawing has on coarse meshes.

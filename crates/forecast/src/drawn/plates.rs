@@ -1,7 +1,7 @@
 //! A drawn chamber between two rigid plates: how hard it presses.
 
 use crate::interval::{Interval, hull};
-use crate::meshed::{MeshedValue, six};
+use crate::meshed::{MeshedValue, six, with_error};
 use inflatable::shell::cases::{InflatedRegion, PlateContact, Value};
 use serde::Serialize;
 
@@ -23,8 +23,8 @@ impl PlatesPrediction {
     pub(super) fn new(region: &InflatedRegion) -> Option<Self> {
         let PlateContact { force, area } = region.plates?;
         let second = region.second.as_deref().and_then(|second| second.plates);
-        let ends = |force: Value| [force.value - force.error, force.value + force.error];
-        let range = second.map(|second| hull(ends(force), ends(second.force)).map(|end| six(end.max(0.0))));
+        let range = second
+            .map(|second| hull(with_error(force), with_error(second.force)).map(|end| six(end.max(0.0))));
         Some(Self {
             force_N: not_below_zero(force),
             force_range_N: range,

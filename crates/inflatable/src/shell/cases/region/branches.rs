@@ -18,7 +18,7 @@ pub(super) fn lower_of(first: InflatedRegion, second: InflatedRegion) -> Inflate
     let evidence = lower.evidence.join(&higher.evidence);
     let other_probed = higher.probed.clone();
     let second = is_other.then(|| Box::new(higher));
-    InflatedRegion { second, evidence, other_probed, ..lower }
+    InflatedRegion { other_probed, second, evidence, ..lower }
 }
 
 /// The weight of a shape with folds against the mean of its wrinkles.

@@ -18,7 +18,9 @@ pub(super) fn force_and_area(solver: &Solver, mesh: &Mesh, state: &State, pressu
     let mut is_edge = vec![false; mesh.points.len()];
     for corners in mesh.triangles.iter().filter(|corners| corners.iter().any(|corner| parts[*corner] == 0.0))
     {
-        corners.iter().for_each(|corner| is_edge[*corner] = true);
+        for corner in corners {
+            is_edge[*corner] = true;
+        }
     }
     let mut area = 0.0;
     for corners in &mesh.triangles {
