@@ -22,9 +22,9 @@ use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::work::ShellWork;
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
-use design::{DrawnPiece, DrawnPieces, RefusalCode};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
-use spec::units::{Length, Pressure, Readable};
+use design::{DrawnPiece, DrawnPieces};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, region};
+use spec::units::{Length, Pressure};
 use spec::{Load, ModelChoice, Spec, key};
 
 pub use inflatable::shell::cases::{Surface, Watch};
