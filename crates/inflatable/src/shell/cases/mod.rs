@@ -38,8 +38,8 @@ pub use margin::{Margin, MarginLaw};
 pub use objects::{Hysteresis, MOST_OBJECTS, Objects};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
-    FlatRegion, InflatedRegion, PartialPressure, PlaneState, PlateContact, RegionSeam, SeamPull, Surface,
-    Wrinkles, chambers, region,
+    Bar, FlatRegion, InflatedRegion, PartialPressure, PlaneState, PlateContact, Pull, PullPoint,
+    PulledRegion, RegionSeam, STROKES, SeamPull, Surface, Wrinkles, chambers, pull, region,
 };
 pub use sector::ModelledSector;
 pub use shape::InflatedShape;

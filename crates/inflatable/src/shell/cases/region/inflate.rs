@@ -84,7 +84,7 @@ const OPEN: f64 = 1.6;
 const MOST_STEPS: u32 = 250;
 
 /// Largest 1/eps at which the wrinkles of `chamber`, `width` wide, are resolved.
-fn most_resolved(chamber: &FlatChamber, width: f64) -> f64 {
+pub(super) fn most_resolved(chamber: &FlatChamber, width: f64) -> f64 {
     if is_tube(chamber, width) { MOST_RESOLVED_OF_TUBES } else { MOST_RESOLVED }
 }
 
@@ -135,14 +135,23 @@ fn attempts(bendability: f64, most_resolved: f64, cells: f64) -> Vec<Attempt> {
     sequence
 }
 
+/// The widest place of `case` as a tube.
+///
+/// # Errors
+/// If it is out of range.
+pub(super) fn tube_of(case: &FlatRegion) -> Result<Tube, ShellFault> {
+    let tube = Tube { width: case.chamber.widest(), fabric: case.fabric, pressure: case.pressure };
+    tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
+    Ok(tube)
+}
+
 /// Inflates one chamber, on meshes of about the requested fineness.
 ///
 /// # Errors
 /// If its curves cross or leave the outline, if it is out of range, if it has no stable equilibrium that keeps z = 0 a plane of symmetry, or if
 /// rims cross in it; the fault gives the place and the reason of the stop.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
-    let tube = Tube { width: case.chamber.widest(), fabric: case.fabric, pressure: case.pressure };
-    tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
+    let tube = tube_of(case)?;
     // The first reason is the one to report.
     let mut first_stop = None;
     for Attempt { cells, resolved } in
@@ -289,7 +298,7 @@ impl Run {
 }
 
 /// Puts its part of the pressure on each triangle. A sheet without pressure buckles at any compression.
-fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
+pub(super) fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
     for (triangle, part) in sealed.parts.iter().enumerate().filter(|(_, part)| **part != 1.0) {
         sheet.set_load(triangle, *part);
         if *part == 0.0 {

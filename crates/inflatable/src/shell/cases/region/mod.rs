@@ -17,6 +17,7 @@ mod overlap;
 mod plates;
 mod pressures;
 mod probes;
+mod pull;
 mod seams;
 mod stability;
 mod supports;
@@ -28,4 +29,5 @@ pub use answer::{InflatedRegion, PlaneState, PlateContact, RegionSeam, SeamPull,
 pub use chambers::{FlatRegion, chambers};
 pub use inflate::region;
 pub use pressures::PartialPressure;
+pub use pull::{Bar, Pull, PullPoint, PulledRegion, STROKES, pull};
 pub use surface::Surface;

@@ -43,13 +43,19 @@ impl SealedNodes {
     }
 }
 
+/// Holds the sealed nodes at z = 0; `sheet` turns freely along welds.
+pub(super) fn level(sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
+    sealed.welds.iter().for_each(|edge| sheet.release(*edge));
+    let mut supports = Supports::free(sealed.points.len());
+    let sealed_points = (0..sealed.points.len()).filter(|point| sealed.points[*point]);
+    sealed_points.for_each(|point| supports.fix(point, 2));
+    supports
+}
+
 /// Holds the sealed nodes at z = 0 and prevents rigid motions in that plane; `sheet` turns freely along welds.
 pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
     let mesh = &meshed.mesh;
-    sealed.welds.iter().for_each(|edge| sheet.release(*edge));
-    let mut supports = Supports::free(mesh.points.len());
-    let sealed_points = (0..mesh.points.len()).filter(|point| sealed.points[*point]);
-    sealed_points.for_each(|point| supports.fix(point, 2));
+    let mut supports = level(sealed, sheet);
     let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
     let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
     let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);

@@ -1,0 +1,97 @@
+//! Rigid bars along seams of a mesh.
+
+use crate::shell::assembly::{State, Supports};
+use crate::shell::cases::region::supports::SealedNodes;
+use crate::shell::mesh::Mesh;
+use geom::{Line, Point, Segment};
+
+/// A rigid bar along a seam: its ends on the flat sheet.
+pub type Bar = [[f64; 2]; 2];
+
+/// Distance of a sealed node from a bar that holds it, by the chamber's width.
+const ON_BAR: f64 = 1e-6;
+
+/// The nodes that two bars hold, and the line along which these are guided; lengths by the chamber's width.
+pub(super) struct HeldNodes {
+    /// Of each bar, with their positions on the flat sheet.
+    nodes: [Vec<(usize, [f64; 2])>; 2],
+    /// Unit vector from the first bar to the second.
+    pub(super) direction: [f64; 2],
+    /// Distance of the bars on the flat sheet.
+    pub(super) distance: f64,
+    /// Of each point of the mesh how far it lies between the bars: 0 at the first, 1 at the second.
+    parts: Vec<f64>,
+}
+
+impl HeldNodes {
+    pub(super) fn new(mesh: &Mesh, sealed: &SealedNodes, bars: [Bar; 2]) -> Self {
+        let [first, second] = bars.map(middle);
+        let distance = distance_of(bars);
+        let direction = [0, 1].map(|axis| (second[axis] - first[axis]) / distance);
+        let part = |point: &[f64; 2]| {
+            let along = (0..2).map(|axis| (point[axis] - first[axis]) * direction[axis]).sum::<f64>();
+            (along / distance).clamp(0.0, 1.0)
+        };
+        Self {
+            nodes: bars.map(|bar| nodes_on(bar, mesh, sealed)),
+            direction,
+            distance,
+            parts: mesh.points.iter().map(part).collect(),
+        }
+    }
+
+    /// Holds the nodes in `supports`.
+    pub(super) fn hold(&self, supports: &mut Supports) {
+        for (node, _) in self.nodes.iter().flatten() {
+            for axis in 0..3 {
+                supports.fix(*node, axis);
+            }
+        }
+    }
+
+    /// Puts the held nodes of `state` where the bars are with this `stroke`: half of it by each.
+    pub(super) fn place(&self, state: &mut State, stroke: f64) {
+        for (nodes, share) in self.nodes.iter().zip([0.5, -0.5]) {
+            for (node, [x, y]) in nodes {
+                let [right, up] = self.direction.map(|part| share * stroke * part);
+                state.points[*node] = [x + right, y + up, 0.0];
+            }
+        }
+    }
+
+    /// Shortens `state` by `more`, each point by its place between the bars: a start for a larger stroke.
+    pub(super) fn shorten(&self, state: &mut State, more: f64) {
+        for (point, part) in state.points.iter_mut().zip(&self.parts) {
+            for axis in [0, 1] {
+                point[axis] += (0.5 - part) * more * self.direction[axis];
+            }
+        }
+    }
+
+    /// The force that pulls the second bar towards the first, from the energy's derivatives by each point of one sheet: of both sheets.
+    pub(super) fn force(&self, derivatives: &[[f64; 3]]) -> f64 {
+        let [right, up] = self.direction;
+        let along =
+            |(node, _): &(usize, [f64; 2])| derivatives[*node][0] * right + derivatives[*node][1] * up;
+        2.0 * self.nodes[1].iter().map(along).sum::<f64>()
+    }
+}
+
+/// The sealed nodes of `mesh` on a bar.
+fn nodes_on([start, end]: Bar, mesh: &Mesh, sealed: &SealedNodes) -> Vec<(usize, [f64; 2])> {
+    let bar: Segment = Line::new(Point::new(start[0], start[1]), Point::new(end[0], end[1])).into();
+    let nodes = mesh.points.iter().copied().enumerate();
+    nodes
+        .filter(|(node, [x, y])| sealed.points[*node] && bar.distance(Point::new(*x, *y)) <= ON_BAR)
+        .collect()
+}
+
+/// Distance of the middles of two bars.
+pub(super) fn distance_of(bars: [Bar; 2]) -> f64 {
+    let [[x, y], [other_x, other_y]] = bars.map(middle);
+    libm::hypot(other_x - x, other_y - y)
+}
+
+fn middle([start, end]: Bar) -> [f64; 2] {
+    [0, 1].map(|axis| f64::midpoint(start[axis], end[axis]))
+}

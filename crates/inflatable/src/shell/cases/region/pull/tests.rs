@@ -1,0 +1,82 @@
+use crate::shell::cases::{
+    Fineness, FlatRegion, Pull, PullPoint, PulledRegion, STROKES, Watch, chambers, pull,
+};
+use crate::shell::element::Fabric;
+use geom::{Line, Path, Point};
+
+const PRESSURE: f64 = 14e3;
+const LENGTH: f64 = 0.04;
+const DEPTH: f64 = 0.2;
+const STRETCH: f64 = 128e6 * 0.3e-3;
+const POISSON: f64 = 0.39;
+
+/// A pouch of fabric 0.3 mm thick between two long seams that bars hold.
+fn pouch(load: f64) -> PulledRegion {
+    let corners = [[0.0, 0.0], [LENGTH, 0.0], [LENGTH, DEPTH], [0.0, DEPTH]].map(|[x, y]| Point::new(x, y));
+    let outline = Path::closed((0..4).map(|k| Line::new(corners[k], corners[(k + 1) % 4]).into()).collect());
+    let bending = STRETCH * 0.3e-3_f64.powi(2) / (12.0 * (1.0 - POISSON * POISSON));
+    let case = FlatRegion {
+        chamber: chambers(&[outline], &[], &[]).expect("a chamber").remove(0),
+        fabric: Fabric::isotropic(STRETCH, bending, POISSON),
+        pressure: PRESSURE,
+        band: 0.003,
+        probes: Vec::new(),
+        partial: Vec::new(),
+        plates: None,
+    };
+    let request = Pull { bars: [0.0, LENGTH].map(|x| [[x, 0.0], [x, DEPTH]]), load: Some(load) };
+    pull(&case, &request, Fineness { cells: 3.0, cuts: 2 }, &Watch::default()).expect("equilibria")
+}
+
+/// The force by the depth of an endless pouch at a `stroke`: two arcs of the half angle theta, which the tension p R stretches by
+/// `stretch`, R = (L - s)/(2 sin theta). F = 2 p R cos theta.
+fn endless_force(stroke: f64, stretch: f64) -> f64 {
+    let chord = LENGTH - stroke;
+    let radius = |theta: f64| chord / (2.0 * libm::sin(theta));
+    let (mut low, mut high) = (1e-6, std::f64::consts::FRAC_PI_2);
+    for _ in 0..60 {
+        let theta = f64::midpoint(low, high);
+        let arc = LENGTH * (1.0 + PRESSURE * radius(theta) / stretch);
+        if 2.0 * radius(theta) * theta < arc { low = theta } else { high = theta }
+    }
+    2.0 * PRESSURE * radius(low) * libm::cos(low)
+}
+
+/// The force is what the energy loses by the stroke, and near that of an endless pouch; the ends of this one carry less.
+#[test]
+fn a_pouch_pulls_as_its_energy_and_as_an_endless_one() {
+    let load = 20.0;
+    let pulled = pouch(load);
+    assert!((pulled.distance - LENGTH).abs() < 1e-12);
+    let curve: Vec<PullPoint> = pulled.curve;
+    assert_eq!(curve.len(), STROKES);
+    // With strokes in proportion to x^2, dU/dx = -2 x s F, which Simpson's rule integrates over x.
+    let last = curve[STROKES - 1];
+    let mut work = 0.0;
+    for (point, k) in curve.iter().zip(0_u32..) {
+        let weight = match k {
+            0 | 8 => 1.0,
+            odd if odd % 2 == 1 => 4.0,
+            _ => 2.0,
+        };
+        work += weight / 24.0 * 2.0 * (f64::from(k) / 8.0) * last.stroke * point.force.meshes[2];
+    }
+    let lost = curve[0].energy.meshes[2] - last.energy.meshes[2];
+    assert!((work / lost - 1.0).abs() < 0.005, "work {work} J, energy {lost} J");
+    // At the flat distance the fabric cannot get narrower, and is stiffer by 1/(1 - nu^2).
+    let blocked = curve[0].force.value / DEPTH;
+    let stiff = STRETCH / (1.0 - POISSON * POISSON);
+    let ends = [0.97 * endless_force(0.0, STRETCH), endless_force(0.0, stiff)];
+    assert!(ends[0] < blocked && blocked < ends[1], "{blocked} N/m in {ends:?}");
+    for point in &curve[1..6] {
+        let part = point.force.value / (DEPTH * endless_force(point.stroke, STRETCH));
+        assert!((0.82..1.02).contains(&part), "{part} of an endless pouch at {point:?}");
+    }
+    // Free at less than 1 - 2/pi, and the load lies on the curve.
+    let contraction = pulled.free_stroke.value / LENGTH;
+    assert!((0.31..0.3634).contains(&contraction), "{contraction}");
+    let stroke = pulled.loaded_stroke.expect("the load is less than the blocked force").meshes[2];
+    let above = curve.iter().rfind(|point| point.stroke <= stroke).expect("a stroke");
+    let below = curve.iter().find(|point| point.stroke >= stroke).expect("a stroke");
+    assert!(above.force.meshes[2] >= load && load >= below.force.meshes[2], "{stroke}: {above:?} {below:?}");
+}
