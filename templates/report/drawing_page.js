@@ -67,7 +67,7 @@ function drawingFigures() {
 function showChambers() {
   if (!drawn) {
     at("chambers-lead").textContent = "The spec has no pressure.";
-    for (const id of ["chambers", "pulls", "measures"]) at(id).parentElement.remove();
+    for (const id of ["chambers", "pulls", "measures", "pull"]) at(id).parentElement.remove();
     return;
   }
   const rows = drawn.chambers.map((one) => [
@@ -84,6 +84,7 @@ function showChambers() {
   if (pulls.length) table("pulls", ["Seam", "Chamber", "Largest pull", "Place"], pulls);
   else at("pulls").parentElement.remove();
   showMeasures();
+  showPull();
 }
 
 // Of a measure [name, flat, inflated, unit], to thousandths: below is noise.
@@ -107,6 +108,20 @@ function showMeasures() {
   const rows = drawn.measures.flatMap((measure) => quantities(measure).map(([word, flat, inflated, unit]) => [measure.measure, word, figure(flat, unit), meshed(inflated, unit)]));
   if (rows.length) table("measures", ["Measure", "Quantity", "Flat", "Inflated"], rows);
   else at("measures").parentElement.remove();
+}
+
+/** How hard and how far the drawing pulls at its bars. */
+function showPull() {
+  const { pull } = drawn;
+  if (!pull) {
+    at("pull").parentElement.remove();
+    return;
+  }
+  const lifted = pull.mass_kg ? [[`under ${figure(pull.mass_kg, "kg")}`, pull.lifted_mm ? meshed(pull.lifted_mm, "mm") : "not lifted", ""]] : [];
+  const curve = pull.curve.slice(1, -1).map(([stroke, value, , mesh_error]) => ["between", figure(stroke, "mm"), meshed({ value, mesh_error }, "N")]);
+  table("pull", [pull.bars.join(" to "), "Stroke", "Force"], [
+    ["blocked", figure(0, "mm"), meshed(pull.blocked_force_N, "N")], ...curve, ["free", meshed(pull.free_stroke_mm, "mm"), figure(0, "N")], ...lifted,
+  ]);
 }
 
 function drawingEvidence() {

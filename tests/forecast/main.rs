@@ -7,6 +7,7 @@ mod optimize;
 mod outcome;
 mod page;
 mod prediction;
+mod pull;
 mod ranges;
 mod seal_load;
 mod study;

@@ -1,7 +1,7 @@
 // The menu over a drawing: the role of the layer of a curve, and the process by which its seams are made.
 import { byId, element } from "./dom.js";
 
-const ROLES = [["air", "edge of the air"], ["seam", "weld or wall: the middle of a band"], ["port", "a hose goes in here"], ["cut", "outline that is cut"], ["hole", "opening that is cut out"], ["valve", "hole in one sheet, for a valve in the face"], ["measure", "measured after inflation"], ["ignore", "left out"]];
+const ROLES = [["air", "edge of the air"], ["seam", "weld or wall: the middle of a band"], ["port", "a hose goes in here"], ["cut", "outline that is cut"], ["hole", "opening that is cut out"], ["valve", "hole in one sheet, for a valve in the face"], ["measure", "measured after inflation"], ["pull", "one of two bars that pull"], ["ignore", "left out"]];
 
 /** Closes the menu. */
 export function closeRoles() {

@@ -8,10 +8,10 @@ import { askRole, closeRoles } from "./roles.js";
 const VIEWS = ["sheet", "drawing", "solid", "report"];
 const LEGENDS = {
     sheet: [["air", "air"], ["band", "sealed band"], ["flap", "flap"], ["cut", "cut"], ["start", "start, in order"]],
-    drawing: [["air", "air"], ["seam", "seam"], ["port", "port, valve"], ["cut", "cut, hole"], ["measure", "measured"], ["ignore", "ignored"], ["none", "no role"]],
+    drawing: [["air", "air"], ["seam", "seam"], ["port", "port, valve"], ["cut", "cut, hole"], ["measure", "measured, pulled"], ["ignore", "ignored"], ["none", "no role"]],
 };
 /** Roles with the colour of another one. */
-const COLOURS = { valve: "port", hole: "cut" };
+const COLOURS = { valve: "port", hole: "cut", pull: "measure" };
 
 export class Stage {
     #canvas = new Canvas();

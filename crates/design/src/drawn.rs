@@ -342,8 +342,8 @@ pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
         .then(|| format!("The drawing is {width} x {height} {unit}: is the unit right (mm, cm, m, in, px)?"))
 }
 
-/// The sketch of `drawing` by its roles, its measures, and the notes on its repairs.
-fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, Vec<String>), Refusals> {
+/// The sketch of `drawing` by its roles, and the notes on its repairs.
+fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), Refusals> {
     let artwork = read(spec, drawing)?;
     roles::refusals(&artwork, drawing).or_value(())?;
     let mut sketch = roles::sketch(&artwork, drawing);
@@ -354,5 +354,5 @@ fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, V
     let mut notes = roles::notes(&artwork, drawing);
     notes.extend(own_seams);
     notes.extend(unusual_size(&sketch));
-    Ok((sketch, measure::measures(&artwork, drawing), notes))
+    Ok((sketch, notes))
 }

@@ -102,6 +102,8 @@ crate::choices! {
     Valve: "valve",
     /// Points and lines that are measured after inflation; nothing is made of them.
     Measure: "measure",
+    /// Two straight lines along seams that rigid bars hold and pull at; nothing is made of them.
+    Pull: "pull",
     /// No role: the figures are ignored.
     Ignore: "ignore",
 }
@@ -167,9 +169,9 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     refuse_unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
     let load = (
         "no model predicts the force of a drawn shape on an object",
-        "delete it; only `pressure`, `chambers` and `plates` count here",
+        "delete it; only `pressure`, `chambers`, `plates` and `mass` count here",
     );
-    refuse_unlike(reader, "load", |key| ["pressure", "chambers", "plates"].contains(&key), load);
+    refuse_unlike(reader, "load", |key| ["pressure", "chambers", "plates", "mass"].contains(&key), load);
     let hole = (
         "only stars have a flap on the hole side",
         "delete it; the holes of a drawing are cut as they are drawn",

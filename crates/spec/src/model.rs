@@ -323,7 +323,7 @@ pub struct Load {
     pub friction_least: Option<f64>,
     /// Most that mu may be; absent: mu.
     pub friction_most: Option<f64>,
-    /// Mass of the object that friction shall hold.
+    /// Mass of the object that friction shall hold; of a drawing what hangs on the lower one of its bars.
     pub mass: Option<Mass>,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,

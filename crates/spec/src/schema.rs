@@ -54,7 +54,7 @@ units = "mm"  # of the file's numbers; it replaces the unit that the file states
 # join = "0.02 mm"  # ends of curves up to this far apart are joined, and reported
 # passage = "15 mm"  # a narrower passage of the air gives a warning
 # flange = "10 mm"  # width of a valve's flange around its hole, where its rim is not drawn
-layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, valves, measures, or ignored
+layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, valves, measures, bars that pull, or ignored
 process = { "weak": ["tear"] }  # the process of some seams: names of layers, elements, roles (air, seam) or seams; all others are made by [seal]
 "#;
 

@@ -38,7 +38,7 @@ fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
 }
 
 /// Keys that no random spec sets: only predictions or drawings have them, or a case has them in another form.
-const NOT_SET: [KeyPath; 14] = [
+const NOT_SET: [KeyPath; 15] = [
     key::fabric::POISSON_RATIO,
     key::fabric::BENDING_STIFFNESS,
     key::fabric::STRETCH_STIFFNESS,
@@ -49,6 +49,7 @@ const NOT_SET: [KeyPath; 14] = [
     key::load::OBJECT_HEIGHT,
     key::load::OBJECT_SHAPE,
     key::load::CHAMBERS,
+    key::load::PLATES,
     key::accuracy::RESPONSE,
     key::mask::KIND,
     key::build::WITH,

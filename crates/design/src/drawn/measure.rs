@@ -1,4 +1,4 @@
-//! Measures: points, lines and curves of a drawing whose places after inflation are wanted.
+//! Measures: points, lines and curves of a drawing whose places after inflation are wanted; and lines that bars hold.
 
 use artwork::{Artwork, Figure};
 use geom::{Line, Path, Point, Segment};
@@ -9,7 +9,7 @@ const CURVE_POINTS: u32 = 33;
 /// The largest distance of a line's points from its chord, as a part of the chord.
 const STRAIGHT: f64 = 1e-4;
 
-/// A figure of the role `measure`, in the drawing's frame, mm.
+/// A figure of the role `measure` or `pull`, in the drawing's frame, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// The name of the figure in the file.
@@ -84,10 +84,10 @@ fn is_straight(segment: &Segment) -> bool {
     chord.distance(segment.point(0.5)) <= STRAIGHT * chord.length()
 }
 
-/// The measures among the figures of `drawing`, in the order of the file.
-pub(super) fn measures(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Measure> {
+/// The figures of `drawing` with `role`, in the order of the file.
+pub(super) fn of_role(drawing: &Artwork, spec: &DrawingSpec, role: LayerRole) -> Vec<Measure> {
     let elements = drawing.elements.iter();
-    let of_role = elements.filter(|element| spec.role(element.names()) == Some(LayerRole::Measure));
+    let of_role = elements.filter(|element| spec.role(element.names()) == Some(role));
     of_role
         .map(|element| Measure { name: element.id.clone(), form: MeasureForm::new(&element.figure) })
         .collect()

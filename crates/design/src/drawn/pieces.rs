@@ -1,12 +1,12 @@
 //! All pieces of a drawing, and their copies on sheets.
 
 use crate::drawn::process::SeamProcesses;
-use crate::drawn::{DrawnPiece, Measure, read, rules, sketch};
+use crate::drawn::{DrawnPiece, Measure, measure, read, rules, sketch};
 use crate::placement::{SheetLayout, footprint, place};
 use crate::{FlatPiece, PlacedPart, RefusalCode, Refusals, Warning};
 use geom::{Bounds, Path};
 use sealed::{DrawnPort, separate};
-use spec::{DrawingSpec, Fabric, Machine, Spec};
+use spec::{DrawingSpec, Fabric, LayerRole, Machine, Spec};
 
 /// The pieces of one drawing: what its cuts part.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub struct DrawnPieces {
     pub ports: Vec<DrawnPort>,
     /// The points and lines that are measured after inflation, in the order of the file.
     pub measures: Vec<Measure>,
+    /// The lines along seams that rigid bars hold, in the order of the file.
+    pub bars: Vec<Measure>,
     /// Every piece where it lies; the copies of the drawing one after another.
     pub copies: Vec<PlacedPart>,
 }
@@ -36,7 +38,7 @@ impl DrawnPieces {
         drawing: &DrawingSpec,
         machine: &Machine,
     ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
-        let (whole_sketch, measures, mut notes) = sketch(spec, drawing)?;
+        let (whole_sketch, mut notes) = sketch(spec, drawing)?;
         let (mut pieces, mut warnings, mut refusals) = (Vec::new(), Vec::new(), Refusals::new());
         let artwork = read(spec, drawing)?;
         let mut processes = SeamProcesses::new(&artwork, drawing, spec.seal.band.0);
@@ -63,7 +65,9 @@ impl DrawnPieces {
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::place_all(Self::KIND, &distinct, places);
-        Ok((Self { pieces, notes, ports: whole_sketch.ports, measures, copies }, sheets, warnings))
+        let [measures, bars] =
+            [LayerRole::Measure, LayerRole::Pull].map(|role| measure::of_role(&artwork, drawing, role));
+        Ok((Self { pieces, notes, ports: whole_sketch.ports, measures, bars, copies }, sheets, warnings))
     }
 
     /// The closed boundaries of the air of all pieces.

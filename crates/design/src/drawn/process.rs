@@ -111,6 +111,7 @@ impl<'a> SeamProcesses<'a> {
             | LayerRole::Hole
             | LayerRole::Valve
             | LayerRole::Measure
+            | LayerRole::Pull
             | LayerRole::Ignore => None,
         }
     }

@@ -32,7 +32,7 @@ pub(super) fn sketch(drawing: &Artwork, spec: &DrawingSpec) -> Sketch {
             Some(LayerRole::Cut) => &mut sketch.cuts,
             Some(LayerRole::Hole) => &mut sketch.holes,
             Some(LayerRole::Valve) => &mut sketch.valves,
-            None | Some(LayerRole::Ignore | LayerRole::Measure) => continue,
+            None | Some(LayerRole::Ignore | LayerRole::Measure | LayerRole::Pull) => continue,
         };
         // A point is not a curve: it is left out with a note, or `refusals` names it.
         if let Figure::Path(path) = &element.figure {
@@ -125,7 +125,7 @@ fn points<'d>(drawing: &'d Artwork, spec: &'d DrawingSpec) -> impl Iterator<Item
         matches!(element.figure, Figure::Point(_))
             && !matches!(
                 spec.role(element.names()),
-                None | Some(LayerRole::Port | LayerRole::Measure | LayerRole::Ignore)
+                None | Some(LayerRole::Port | LayerRole::Measure | LayerRole::Pull | LayerRole::Ignore)
             )
             && !without_length.contains(element.id.as_str())
     };

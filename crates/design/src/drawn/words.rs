@@ -4,12 +4,13 @@ use artwork::Element;
 use spec::LayerRole;
 
 /// Words by role. A name has the role of the first row with one of its words.
-const WORDS: [(LayerRole, &[&str]); 7] = [
+const WORDS: [(LayerRole, &[&str]); 8] = [
     (
         LayerRole::Ignore,
         &["note", "text", "dim", "guide", "construction", "ignore", "label", "background", "registration"],
     ),
     (LayerRole::Measure, &["measure"]),
+    (LayerRole::Pull, &["pull"]),
     (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
     (LayerRole::Hole, &["hole", "punch", "drill"]),
     (LayerRole::Cut, &["cut", "outline", "contour"]),

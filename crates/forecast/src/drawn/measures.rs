@@ -293,8 +293,8 @@ fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<Pla
     }
 }
 
-/// The largest distance of a point from its place in the air.
-fn furthest(places: &[Nearest]) -> f64 {
+/// The largest distance of a point from its place in the air or on its edge.
+pub(super) fn furthest(places: &[Nearest]) -> f64 {
     places.iter().map(|place| place.distance).fold(0.0, f64::max)
 }
 
@@ -334,6 +334,11 @@ fn place_in_air(flat: &FlatChamber, point: Point) -> Option<Nearest> {
     if flat.has_air(point) {
         return Some(Nearest { distance: 0.0, point, segment: 0, s: 0.0 });
     }
+    nearest_edge(flat, point)
+}
+
+/// The place on the edges of a chamber's air, its welds included, that is nearest to `point`.
+pub(super) fn nearest_edge(flat: &FlatChamber, point: Point) -> Option<Nearest> {
     let edges = flat.curves().filter_map(|curve| curve.nearest(point));
     edges.min_by(|a, b| a.distance.total_cmp(&b.distance))
 }

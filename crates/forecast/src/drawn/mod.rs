@@ -8,6 +8,7 @@ pub mod measures;
 pub mod plates;
 pub mod prediction;
 pub mod pressures;
+pub mod pull;
 pub mod seams;
 pub mod shapes;
 pub mod text;
@@ -16,6 +17,7 @@ use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::drawn::measures::PlacedMeasure;
 use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
+use crate::drawn::pull::PlacedPull;
 use crate::drawn::seams::SeamStrengths;
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
@@ -23,7 +25,7 @@ use crate::shell::work::ShellWork;
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
 use design::{DrawnPiece, DrawnPieces};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, region};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, pull, region};
 use spec::units::{Length, Pressure};
 use spec::{Load, ModelChoice, Spec, key};
 
@@ -81,20 +83,21 @@ pub fn inflate(
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
     let drawn_case = DrawnCase::new(spec, pieces)?;
-    let DrawnCase { chambers, pressures, measures: placed } = &drawn_case;
+    let DrawnCase { chambers, pressures, measures: placed, pull: placed_pull } = &drawn_case;
     let mut prediction = flat(spec, pieces, &drawn_case);
     let (_, pressure) = loaded(spec).ok_or_else(no_pressure)?;
-    refuse_large(chambers, detail, watch)?;
+    refuse_large(&drawn_case, detail, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let (mut is_weave_left_out, mut is_measured_on_folds) = (false, false);
     let strengths = SeamStrengths::new(spec, pieces);
     let count = chambers.len();
+    let part_of_chambers = if placed_pull.is_some() { PULL_BEGINS } else { 1.0 };
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(placed, number);
         let RegionPressure { highest, .. } = &pressures[number];
         let case = case_of(spec, chamber, &pressures[number], probes);
         #[expect(clippy::cast_precision_loss, reason = "few chambers")]
-        let ends = [number, number + 1].map(|chambers| chambers as f64 / count as f64);
+        let ends = [number, number + 1].map(|chambers| part_of_chambers * chambers as f64 / count as f64);
         let inflated = watch
             .run_part(ends, |watch| region(&case, chamber.fineness(detail), watch))
             .map_err(|why| not_inflated(&why, spec, answer, count))?;
@@ -105,6 +108,15 @@ pub fn inflate(
         measures::fill(placed, &mut prediction.measures, number, &inflated);
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
+    }
+    if let Some(placed_pull) = placed_pull {
+        let number = placed_pull.chamber;
+        let case = case_of(spec, &chambers[number], &pressures[number], Vec::new());
+        let fineness = chambers[number].fineness(detail);
+        let pulled =
+            watch.run_part([PULL_BEGINS, 1.0], |watch| pull(&case, &placed_pull.request(), fineness, watch));
+        let pulled = pulled.map_err(|why| not_inflated(&why, spec, &prediction.chambers[number], count))?;
+        prediction.pull = Some(placed_pull.prediction(&pulled));
     }
     prediction.model = SHELL;
     "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
@@ -151,6 +163,9 @@ fn case_of(
     }
 }
 
+/// The part of the work after which the pull at bars begins: its strokes take about as long as a chamber from flat and from above.
+const PULL_BEGINS: f64 = 0.5;
+
 /// The longest time of a drawing that a command computes unasked, s: six times as many unknowns as a usual drawing has on coarse meshes.
 const MOST_SECONDS: f64 = 120.0;
 
@@ -161,9 +176,11 @@ fn seconds(unknowns: f64) -> f64 {
 }
 
 /// Tells `watch` the size of the computation before it begins, or refuses a large one.
-fn refuse_large(regions: &[DrawnChamber], detail: Detail, watch: &Watch<'_>) -> Result<(), PredictFault> {
-    // Each chamber has meshes of its own.
-    let sizes = regions.iter().map(|chamber| chamber.region.unknowns(chamber.fineness(detail)));
+fn refuse_large(case: &DrawnCase, detail: Detail, watch: &Watch<'_>) -> Result<(), PredictFault> {
+    // Each chamber has meshes of its own, and that between bars is computed twice.
+    let pulled = case.pull.iter().map(|pull| &case.chambers[pull.chamber]);
+    let sizes =
+        case.chambers.iter().chain(pulled).map(|chamber| chamber.region.unknowns(chamber.fineness(detail)));
     let work = sizes.fold(ShellWork::default(), |work, unknowns| ShellWork {
         unknowns: work.unknowns + unknowns,
         seconds: work.seconds + seconds(unknowns),
@@ -187,6 +204,7 @@ struct DrawnCase {
     /// The pressure of each chamber; empty without a pressure.
     pressures: Vec<RegionPressure>,
     measures: Vec<PlacedMeasure>,
+    pull: Option<PlacedPull>,
 }
 
 impl DrawnCase {
@@ -207,7 +225,8 @@ impl DrawnCase {
             None => Vec::new(),
         };
         let measures = measures::placed(spec, &pieces.measures, &chambers)?;
-        Ok(Self { chambers, pressures, measures })
+        let pull = pull::placed(spec, &pieces.bars, &chambers)?;
+        Ok(Self { chambers, pressures, measures, pull })
     }
 }
 

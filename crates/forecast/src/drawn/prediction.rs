@@ -4,6 +4,7 @@ use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
 use crate::drawn::plates::PlatesPrediction;
 use crate::drawn::pressures::PortPressure;
+use crate::drawn::pull::PullPrediction;
 use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
 use crate::drawn::shapes::{
     ShapeRanges, averaged_pull, averaged_warning, blended_warning, second_warning, with_errors,
@@ -56,6 +57,10 @@ keyed! {
         pub chambers: Vec<ChamberPrediction>,
         /// Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell.
         pub measures: Vec<MeasurePrediction>,
+        /// The pull at two bars, of the drawing's role `pull`: `blocked_force_N`, `free_stroke_mm`, `lifted_mm`, and `curve` with rows of stroke,
+        /// force and their mesh errors. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub pull: Option<PullPrediction>,
         /// Why this model was used, and `warnings`.
         pub evidence: DrawnEvidence,
     }
@@ -64,7 +69,7 @@ keyed! {
 kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
-    Object: MeshedValue, DrawnEvidence, ShapeRanges, SecondShape, PlatesPrediction, FirstOpening;
+    Object: MeshedValue, DrawnEvidence, ShapeRanges, SecondShape, PlatesPrediction, PullPrediction, FirstOpening;
     List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<PortPressure>, Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
 }

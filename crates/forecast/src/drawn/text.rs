@@ -3,6 +3,7 @@
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction, SecondShape};
 use crate::drawn::pressures::PortPressure;
+use crate::drawn::pull::PullPrediction;
 use crate::interval::{Interval, scaled};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::ranges::shown::{self, line, listed};
@@ -50,7 +51,30 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction, is_full: bool) -> String 
     for measure in &prediction.measures {
         of_measure(&mut page, measure);
     }
+    if let Some(pull) = &prediction.pull {
+        of_pull(&mut page, pull);
+    }
     page
+}
+
+/// The pull at bars: blocked, free, under a mass, and at the strokes between.
+fn of_pull(page: &mut String, pull: &PullPrediction) {
+    let [first, second] = &pull.bars;
+    let _ =
+        writeln!(page, "\npull between {first} and {second}, flat {} mm apart:", Readable(pull.distance_mm));
+    line(page, "blocked force", number(pull.blocked_force_N, None, "N"));
+    let contraction = shown::rounded(1e2 * pull.free_stroke_mm.value / pull.distance_mm);
+    line(page, "free stroke", format!("{}; {contraction} %", number(pull.free_stroke_mm, None, "mm")));
+    let lifted = pull.lifted_mm.map_or_else(|| "not lifted".to_owned(), |stroke| number(stroke, None, "mm"));
+    let hung = pull.mass_kg.map(|mass| format!("stroke under {} kg", Readable(mass)));
+    if let Some(word) = hung {
+        line(page, &word, lifted);
+    }
+    let between = pull.curve.iter().skip(1).take(pull.curve.len().saturating_sub(2));
+    for [stroke, value, _, mesh_error] in between {
+        let force = MeshedValue { value: *value, mesh_error: *mesh_error };
+        line(page, &format!("  force at {} mm", shown::rounded(*stroke)), number(force, None, "N"));
+    }
 }
 
 /// A line for each quantity of a measure: flat, and inflated with its mesh error.

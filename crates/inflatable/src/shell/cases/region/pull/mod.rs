@@ -6,7 +6,7 @@
 mod bars;
 mod shortened;
 
-use crate::shell::assembly::{Sheet, State};
+use crate::shell::assembly::{Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
@@ -20,7 +20,7 @@ use crate::shell::cases::region::supports::{SealedNodes, level};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{FlatChamber, Meshed};
-use crate::shell::solver::{Solver, Stop};
+use crate::shell::solver::{Equilibrium, Solver, Stop};
 
 pub use bars::Bar;
 
@@ -40,11 +40,11 @@ pub struct Pull {
     pub load: Option<f64>,
 }
 
-/// The force at one stroke.
+/// The force at a part of the free stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullPoint {
     /// How much nearer to each other the bars are than on the flat sheet, m.
-    pub stroke: f64,
+    pub stroke: Value,
     /// The force with which the chamber pulls there, N.
     pub force: Value,
     /// Energy of both sheets less the work of the pressure, J.
@@ -56,7 +56,8 @@ pub struct PullPoint {
 pub struct PulledRegion {
     /// Distance of the bars on the flat sheet, m.
     pub distance: f64,
-    /// Force against stroke: from the flat distance, where the force is the blocked one, to where the coarsest mesh pulls no more.
+    /// Force against stroke: from the flat distance, where the force is the blocked one, to the free stroke. Each mesh has the same parts of its
+    /// own free stroke.
     pub curve: Vec<PullPoint>,
     /// The stroke without a force, m.
     pub free_stroke: Value,
@@ -116,66 +117,70 @@ impl PulledCase {
 
     fn on_meshes(&self, fineness: Fineness, watch: &Watch) -> Result<PulledRegion, ShellFault> {
         let (coarsest, _) = self.chamber.mesh(fineness.cells)?;
-        let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-            let sealed = SealedNodes::new(&self.chamber, &self.partial, meshed);
-            let mut supports = level(&sealed, sheet);
-            HeldNodes::new(&meshed.mesh, &sealed, self.request.bars).hold(&mut supports);
-            self.wrinkles.prepare(sheet, &self.tube);
-            load_parts(&sealed, sheet, &self.tube);
-            supports
-        };
+        let hold = |meshed: &Meshed, sheet: &mut Sheet| self.supports(meshed, sheet);
         let family = Family::new(self.tube, coarsest, fineness.cuts, &hold);
-        let mut strokes: Option<[f64; STROKES]> = None;
+        let mut coarser_free = 0.0;
         let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, starts| {
-            let sealed = SealedNodes::new(&self.chamber, &self.partial, meshed);
-            let held = HeldNodes::new(&meshed.mesh, &sealed, self.request.bars);
-            let aim = self.tube.continuation().aim(equilibrium.pressure);
-            let blocked = Shortened::new(solver, aim, held, equilibrium.state.clone());
-            self.numbers(solver, blocked, &mut strokes, starts)
+            let blocked = self.blocked(solver, meshed, equilibrium);
+            self.numbers(solver, blocked, &mut coarser_free, starts)
                 .map_err(|stop| self.tube.stopped(stop, solver.triangles()))
         })?;
-        Ok(self.answer(&values, evidence, &strokes.unwrap_or_default()))
+        Ok(self.answer(&values, evidence))
     }
 
-    /// The numbers of one mesh, of which only the shape without a stroke is known. `starts` are the shapes of a coarser mesh at each of the
-    /// `strokes`, and then those of this one. The coarsest mesh chooses the strokes.
+    /// Prepares a sheet, and holds its seams in the plane and the bars where they are.
+    fn supports(&self, meshed: &Meshed, sheet: &mut Sheet) -> Supports {
+        let sealed = SealedNodes::new(&self.chamber, &self.partial, meshed);
+        let mut supports = level(&sealed, sheet);
+        HeldNodes::new(&meshed.mesh, &sealed, self.request.bars).hold(&mut supports);
+        self.wrinkles.prepare(sheet, &self.tube);
+        load_parts(&sealed, sheet, &self.tube);
+        supports
+    }
+
+    /// A mesh whose `equilibrium` without a stroke is known.
+    fn blocked(&self, solver: &mut Solver, meshed: &Meshed, equilibrium: &Equilibrium) -> Shortened {
+        let sealed = SealedNodes::new(&self.chamber, &self.partial, meshed);
+        let held = HeldNodes::new(&meshed.mesh, &sealed, self.request.bars);
+        let aim = self.tube.continuation().aim(equilibrium.pressure);
+        Shortened::new(solver, aim, held, equilibrium.state.clone())
+    }
+
+    /// The numbers of one mesh, of which only the shape without a stroke is known. `starts` are the shapes of the coarser mesh, whose free stroke
+    /// is `coarser_free`, and then those of this one; of the coarsest mesh there are none.
     fn numbers(
         &self,
         solver: &mut Solver,
         mut shortened: Shortened,
-        strokes: &mut Option<[f64; STROKES]>,
+        coarser_free: &mut f64,
         starts: &mut Vec<Indented>,
     ) -> Result<[f64; NUMBERS], Stop> {
-        let strokes = match strokes {
-            Some(strokes) => *strokes,
-            None => *strokes.insert(strokes_to(shortened.free_stroke(solver)?)),
-        };
         let coarse: Vec<State> = starts.drain(..).map(|start| start.state).collect();
-        for (stroke, state) in strokes.iter().zip(coarse).skip(1) {
-            shortened.start(solver, *stroke, state)?;
+        if let Some(last) = coarse.last() {
+            shortened.start(solver, [*coarser_free; 2], last.clone())?;
+        }
+        let free = shortened.free_stroke(solver)?;
+        for (part, state) in PARTS.into_iter().zip(coarse).skip(1) {
+            shortened.start(solver, [part * *coarser_free, part * free], state)?;
         }
         let mut numbers = [f64::NAN; NUMBERS];
-        for (k, stroke) in strokes.iter().enumerate() {
-            let settled = shortened.at(solver, *stroke)?;
+        for (k, part) in PARTS.into_iter().enumerate() {
+            let settled = shortened.at(solver, part * free)?;
             (numbers[k], numbers[STROKES + k]) = (settled.force, settled.energy);
             starts.push(Indented { state: settled.state, contact: None });
         }
-        numbers[FREE] = shortened.free_stroke(solver)?;
+        (numbers[FREE], *coarser_free) = (free, free);
         if let Some(load) = self.request.load {
             numbers[LOADED] = shortened.stroke_of(solver, load)?;
         }
         Ok(numbers)
     }
 
-    fn answer(
-        &self,
-        values: &[Value; NUMBERS],
-        evidence: Evidence,
-        strokes: &[f64; STROKES],
-    ) -> PulledRegion {
+    fn answer(&self, values: &[Value; NUMBERS], evidence: Evidence) -> PulledRegion {
         let Tube { width, fabric, .. } = self.tube;
-        let curve = strokes.iter().enumerate().map(|(k, stroke)| PullPoint {
-            stroke: stroke * width,
+        let free_stroke = values[FREE].scaled(width);
+        let curve = PARTS.into_iter().enumerate().map(|(k, part)| PullPoint {
+            stroke: free_stroke.scaled(part),
             force: values[k].scaled(fabric.stretch * width),
             energy: values[STROKES + k].scaled(2.0 * self.tube.energy()),
         });
@@ -183,7 +188,7 @@ impl PulledCase {
         PulledRegion {
             distance: distance_of(self.request.bars) * width,
             curve: curve.collect(),
-            free_stroke: values[FREE].scaled(width),
+            free_stroke,
             loaded_stroke: loaded.meshes.iter().all(|mesh| mesh.is_finite()).then_some(loaded),
             wrinkles: self.wrinkles,
             evidence,
@@ -191,15 +196,9 @@ impl PulledCase {
     }
 }
 
-/// Strokes from 0 to `free`, nearer to each other where the force falls fast: at the flat distance.
-fn strokes_to(free: f64) -> [f64; STROKES] {
-    let mut strokes = [0.0; STROKES];
-    for (stroke, k) in strokes.iter_mut().zip(0_u32..) {
-        let part = f64::from(k) / (STROKES - 1) as f64;
-        *stroke = part * part * free;
-    }
-    strokes
-}
+/// Parts of the free stroke, quadratic: at the flat distance the force falls fast.
+const PARTS: [f64; STROKES] =
+    [0.0, 1.0 / 64.0, 4.0 / 64.0, 9.0 / 64.0, 16.0 / 64.0, 25.0 / 64.0, 36.0 / 64.0, 49.0 / 64.0, 1.0];
 
 #[cfg(test)]
 mod tests;

@@ -4,8 +4,9 @@ use crate::shell::assembly::State;
 use crate::shell::cases::region::pull::bars::HeldNodes;
 use crate::shell::solver::{Aim, Solver, Stop};
 
-/// The strokes by which the free one is looked for, by the distance of the bars: this number of quadratic ones up to the longest.
-const STEPS: u32 = 24;
+/// The free stroke is looked for from one stroke to the next by this factor and by this part of the distance of the bars, up to the longest part.
+const GROWTH: f64 = 1.3;
+const LEAST_STEP: f64 = 2e-3;
 const LONGEST: f64 = 0.9;
 /// Halvings of the way to a stroke where no equilibrium is reached.
 const MOST_HALVINGS: u32 = 6;
@@ -48,16 +49,22 @@ impl Shortened {
         settled
     }
 
-    /// Settles at `stroke` from a coarser mesh's shape there, or from the nearest stroke where that leads to no equilibrium.
-    pub(super) fn start(&mut self, solver: &mut Solver, stroke: f64, mut state: State) -> Result<(), Stop> {
+    /// Settles at a stroke, the second one, from a coarser mesh's shape at the first, or from the nearest stroke where that leads to no
+    /// equilibrium.
+    pub(super) fn start(
+        &mut self,
+        solver: &mut Solver,
+        [coarse_stroke, stroke]: [f64; 2],
+        mut state: State,
+    ) -> Result<(), Stop> {
+        self.held.shorten(&mut state, stroke - coarse_stroke);
         self.held.place(&mut state, stroke);
         solver.is_rough = true;
-        let settled = match solver.rest(&mut state, self.aim) {
-            Ok(_) => self.keep(solver, stroke, state),
+        match solver.rest(&mut state, self.aim) {
+            Ok(_) => drop(self.keep(solver, stroke, state)),
             Err(Stop::Cancelled) => return Err(Stop::Cancelled),
-            Err(_) => self.at(solver, stroke)?,
-        };
-        debug_assert_eq!(settled.stroke, stroke);
+            Err(_) => drop(self.at(solver, stroke)?),
+        }
         Ok(())
     }
 
@@ -88,14 +95,12 @@ impl Shortened {
 
     /// The stroke at which the force vanishes.
     pub(super) fn free_stroke(&mut self, solver: &mut Solver) -> Result<f64, Stop> {
-        let mut step = 1;
-        while self.settled.iter().all(|settled| settled.force > 0.0) {
-            if step > STEPS {
+        while let Some(last) = self.settled.last().filter(|last| last.force > 0.0) {
+            let stroke = GROWTH * last.stroke + LEAST_STEP * self.held.distance;
+            if stroke > LONGEST * self.held.distance {
                 return Err(Stop::Unstable);
             }
-            let part = f64::from(step) / f64::from(STEPS);
-            let _ = self.at(solver, LONGEST * part * part * self.held.distance)?;
-            step += 1;
+            let _ = self.at(solver, stroke)?;
         }
         self.stroke_of(solver, 0.0)
     }
