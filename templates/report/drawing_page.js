@@ -118,7 +118,7 @@ function showPull() {
     return;
   }
   const lifted = pull.mass_kg ? [[`under ${figure(pull.mass_kg, "kg")}`, pull.lifted_mm ? meshed(pull.lifted_mm, "mm") : "not lifted", ""]] : [];
-  const curve = pull.curve.slice(1, -1).map(([stroke, value, , mesh_error]) => ["between", figure(stroke, "mm"), meshed({ value, mesh_error }, "N")]);
+  const curve = pull.curve.slice(1).map(([stroke, value, mesh_error]) => ["between", figure(stroke, "mm"), meshed({ value, mesh_error }, "N")]);
   table("pull", [pull.bars.join(" to "), "Stroke", "Force"], [
     ["blocked", figure(0, "mm"), meshed(pull.blocked_force_N, "N")], ...curve, ["free", meshed(pull.free_stroke_mm, "mm"), figure(0, "N")], ...lifted,
   ]);

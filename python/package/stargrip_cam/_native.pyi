@@ -541,6 +541,9 @@ class DrawnPrediction:
     def measures(self) -> list[dict[str, Any]]:
         """Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell."""
     @property
+    def pull(self) -> dict[str, Any] | None:
+        """The pull at two bars, of the drawing's role `pull`: `blocked_force_N`, `free_stroke_mm`, `lifted_mm`, and `curve` with rows of stroke, force and its mesh error. By the shell only."""
+    @property
     def evidence(self) -> dict[str, Any]:
         """Why this model was used, and `warnings`."""
     @property

@@ -58,7 +58,7 @@ keyed! {
         /// Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell.
         pub measures: Vec<MeasurePrediction>,
         /// The pull at two bars, of the drawing's role `pull`: `blocked_force_N`, `free_stroke_mm`, `lifted_mm`, and `curve` with rows of stroke,
-        /// force and their mesh errors. By the shell only.
+        /// force and its mesh error. By the shell only.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub pull: Option<PullPrediction>,
         /// Why this model was used, and `warnings`.

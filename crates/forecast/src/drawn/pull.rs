@@ -32,8 +32,8 @@ pub struct PullPrediction {
     /// How far it lifts that; absent where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lifted_mm: Option<MeshedValue>,
-    /// Rows of stroke, mm, force, N, and their mesh errors.
-    pub curve: Vec<[f64; 4]>,
+    /// Rows of stroke, mm, force, N, and mesh error of the force, N, from blocked to free.
+    pub curve: Vec<[f64; 3]>,
     /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
     pub wrinkles: &'static str,
 }
@@ -176,9 +176,8 @@ impl PlacedPull {
     pub(super) fn prediction(&self, pulled: &PulledRegion) -> PullPrediction {
         let PulledRegion { curve, free_stroke, loaded_stroke, .. } = pulled;
         let blocked = curve.first().map_or(free_stroke.scaled(0.0), |point| point.force);
-        let row = |PullPoint { stroke, force, .. }: &PullPoint| {
-            [1e3 * stroke.value, force.value, 1e3 * stroke.error, force.error].map(six)
-        };
+        let row =
+            |PullPoint { stroke, force, .. }: &PullPoint| [1e3 * stroke, force.value, force.error].map(six);
         PullPrediction {
             bars: self.names.clone(),
             chamber: self.chamber + 1,

@@ -70,8 +70,7 @@ fn of_pull(page: &mut String, pull: &PullPrediction) {
     if let Some(word) = hung {
         line(page, &word, lifted);
     }
-    let between = pull.curve.iter().skip(1).take(pull.curve.len().saturating_sub(2));
-    for [stroke, value, _, mesh_error] in between {
+    for [stroke, value, mesh_error] in pull.curve.iter().skip(1) {
         let force = MeshedValue { value: *value, mesh_error: *mesh_error };
         line(page, &format!("  force at {} mm", shown::rounded(*stroke)), number(force, None, "N"));
     }

@@ -40,11 +40,11 @@ pub struct Pull {
     pub load: Option<f64>,
 }
 
-/// The force at a part of the free stroke.
+/// The force at one stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullPoint {
     /// How much nearer to each other the bars are than on the flat sheet, m.
-    pub stroke: Value,
+    pub stroke: f64,
     /// The force with which the chamber pulls there, N.
     pub force: Value,
     /// Energy of both sheets less the work of the pressure, J.
@@ -56,8 +56,7 @@ pub struct PullPoint {
 pub struct PulledRegion {
     /// Distance of the bars on the flat sheet, m.
     pub distance: f64,
-    /// Force against stroke: from the flat distance, where the force is the blocked one, to the free stroke. Each mesh has the same parts of its
-    /// own free stroke.
+    /// Force against stroke: from the flat distance, where the force is the blocked one, to the free stroke of the coarsest mesh.
     pub curve: Vec<PullPoint>,
     /// The stroke without a force, m.
     pub free_stroke: Value,
@@ -119,13 +118,13 @@ impl PulledCase {
         let (coarsest, _) = self.chamber.mesh(fineness.cells)?;
         let hold = |meshed: &Meshed, sheet: &mut Sheet| self.supports(meshed, sheet);
         let family = Family::new(self.tube, coarsest, fineness.cuts, &hold);
-        let mut coarser_free = 0.0;
+        let mut strokes: Option<[f64; STROKES]> = None;
         let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, starts| {
             let blocked = self.blocked(solver, meshed, equilibrium);
-            self.numbers(solver, blocked, &mut coarser_free, starts)
+            self.numbers(solver, blocked, &mut strokes, starts)
                 .map_err(|stop| self.tube.stopped(stop, solver.triangles()))
         })?;
-        Ok(self.answer(&values, evidence))
+        Ok(self.answer(&values, evidence, &strokes.unwrap_or_default()))
     }
 
     /// Prepares a sheet, and holds its seams in the plane and the bars where they are.
@@ -146,41 +145,48 @@ impl PulledCase {
         Shortened::new(solver, aim, held, equilibrium.state.clone())
     }
 
-    /// The numbers of one mesh, of which only the shape without a stroke is known. `starts` are the shapes of the coarser mesh, whose free stroke
-    /// is `coarser_free`, and then those of this one; of the coarsest mesh there are none.
+    /// The numbers of one mesh, of which only the shape without a stroke is known. `starts` are the shapes of the coarser mesh at each of the
+    /// `strokes`, and then those of this one. The coarsest mesh, which has none, chooses the strokes.
     fn numbers(
         &self,
         solver: &mut Solver,
         mut shortened: Shortened,
-        coarser_free: &mut f64,
+        strokes: &mut Option<[f64; STROKES]>,
         starts: &mut Vec<Indented>,
     ) -> Result<[f64; NUMBERS], Stop> {
+        let strokes = match strokes {
+            Some(strokes) => *strokes,
+            None => {
+                let free = shortened.free_stroke(solver)?;
+                *strokes.insert(PARTS.map(|part| part * free))
+            }
+        };
         let coarse: Vec<State> = starts.drain(..).map(|start| start.state).collect();
-        if let Some(last) = coarse.last() {
-            shortened.start(solver, [*coarser_free; 2], last.clone())?;
-        }
-        let free = shortened.free_stroke(solver)?;
-        for (part, state) in PARTS.into_iter().zip(coarse).skip(1) {
-            shortened.start(solver, [part * *coarser_free, part * free], state)?;
+        for (stroke, state) in strokes.iter().zip(coarse).skip(1) {
+            shortened.start(solver, *stroke, state)?;
         }
         let mut numbers = [f64::NAN; NUMBERS];
-        for (k, part) in PARTS.into_iter().enumerate() {
-            let settled = shortened.at(solver, part * free)?;
+        for (k, stroke) in strokes.iter().enumerate() {
+            let settled = shortened.at(solver, *stroke)?;
             (numbers[k], numbers[STROKES + k]) = (settled.force, settled.energy);
             starts.push(Indented { state: settled.state, contact: None });
         }
-        (numbers[FREE], *coarser_free) = (free, free);
+        numbers[FREE] = shortened.free_stroke(solver)?;
         if let Some(load) = self.request.load {
             numbers[LOADED] = shortened.stroke_of(solver, load)?;
         }
         Ok(numbers)
     }
 
-    fn answer(&self, values: &[Value; NUMBERS], evidence: Evidence) -> PulledRegion {
+    fn answer(
+        &self,
+        values: &[Value; NUMBERS],
+        evidence: Evidence,
+        strokes: &[f64; STROKES],
+    ) -> PulledRegion {
         let Tube { width, fabric, .. } = self.tube;
-        let free_stroke = values[FREE].scaled(width);
-        let curve = PARTS.into_iter().enumerate().map(|(k, part)| PullPoint {
-            stroke: free_stroke.scaled(part),
+        let curve = strokes.iter().enumerate().map(|(k, stroke)| PullPoint {
+            stroke: stroke * width,
             force: values[k].scaled(fabric.stretch * width),
             energy: values[STROKES + k].scaled(2.0 * self.tube.energy()),
         });
@@ -188,7 +194,7 @@ impl PulledCase {
         PulledRegion {
             distance: distance_of(self.request.bars) * width,
             curve: curve.collect(),
-            free_stroke,
+            free_stroke: values[FREE].scaled(width),
             loaded_stroke: loaded.meshes.iter().all(|mesh| mesh.is_finite()).then_some(loaded),
             wrinkles: self.wrinkles,
             evidence,
@@ -196,7 +202,7 @@ impl PulledCase {
     }
 }
 
-/// Parts of the free stroke, quadratic: at the flat distance the force falls fast.
+/// Strokes by the free one, quadratic: at the flat distance the force falls fast.
 const PARTS: [f64; STROKES] =
     [0.0, 1.0 / 64.0, 4.0 / 64.0, 9.0 / 64.0, 16.0 / 64.0, 25.0 / 64.0, 36.0 / 64.0, 49.0 / 64.0, 1.0];
 

@@ -49,15 +49,8 @@ impl Shortened {
         settled
     }
 
-    /// Settles at a stroke, the second one, from a coarser mesh's shape at the first, or from the nearest stroke where that leads to no
-    /// equilibrium.
-    pub(super) fn start(
-        &mut self,
-        solver: &mut Solver,
-        [coarse_stroke, stroke]: [f64; 2],
-        mut state: State,
-    ) -> Result<(), Stop> {
-        self.held.shorten(&mut state, stroke - coarse_stroke);
+    /// Settles at `stroke` from a coarser mesh's shape there, or from the nearest stroke where that leads to no equilibrium.
+    pub(super) fn start(&mut self, solver: &mut Solver, stroke: f64, mut state: State) -> Result<(), Stop> {
         self.held.place(&mut state, stroke);
         solver.is_rough = true;
         match solver.rest(&mut state, self.aim) {
