@@ -57,9 +57,9 @@ fn a_pouch_lifts_what_its_curve_says() {
 /// Bars and their loads that no chamber can have, each with its remedy.
 #[test]
 fn wrong_bars_are_refused() {
-    let one = "<path id=\"top\" d=\"M20 20H120\"/>";
+    let top = "<path id=\"top\" d=\"M20 20H120\"/>";
     for (bars, load, problem, remedy) in [
-        (one, "", "role `pull` has 1 figures, and bars are two", "draw two straight lines"),
+        (top, "", "role `pull` has 1 figures, and bars are two", "draw two straight lines"),
         (
             "<path id=\"top\" d=\"M20 20H120\"/><path id=\"ring\" d=\"M20 60Q70 70 120 60\"/>",
             "",
@@ -89,9 +89,9 @@ fn wrong_bars_are_refused() {
     ] {
         let (spec, design) = pouch(bars, load);
         let pieces = design.drawn_pieces().expect("a drawing");
-        let PredictFault { what, remedy: advice, .. } =
+        let PredictFault { what: text, remedy: advice, .. } =
             of_spec(&spec, pieces, &Watch::default()).expect_err(problem);
-        assert!(what.contains(problem), "{what}");
-        assert!(advice.unwrap_or_default().contains(remedy), "{what}");
+        assert!(text.contains(problem), "{text}");
+        assert!(advice.unwrap_or_default().contains(remedy), "{text}");
     }
 }

@@ -104,6 +104,7 @@ const KEYS: &[Key] = &[
     key("load", "friction", &[], (1e-9, 10.0), |s, x| load(s).friction = Some(x)),
     key("load", "friction_least", &[], (1e-9, 10.0), |s, x| load(s).friction_least = Some(x)),
     key("load", "friction_most", &[], (1e-9, 10.0), |s, x| load(s).friction_most = Some(x)),
+    key("load", "plates", LENGTH, SIZE, |s, x| load(s).plates = Some(Length(x))),
     key("load", "mass", Mass::KIND.units, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
     key("load", "largest_force", Force::KIND.units, (1e-9, 1e6), |s, x| {
         load(s).largest_force = Some(Force(x));

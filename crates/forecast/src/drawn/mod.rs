@@ -17,7 +17,7 @@ use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::drawn::measures::PlacedMeasure;
 use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
-use crate::drawn::pull::PlacedPull;
+use crate::drawn::pull::{PlacedPull, PullPrediction};
 use crate::drawn::seams::SeamStrengths;
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
@@ -109,18 +109,23 @@ pub fn inflate(
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
     }
-    if let Some(placed_pull) = placed_pull {
-        let number = placed_pull.chamber;
-        let case = case_of(spec, &chambers[number], &pressures[number], Vec::new());
-        let fineness = chambers[number].fineness(detail);
-        let pulled =
-            watch.run_part([PULL_BEGINS, 1.0], |watch| pull(&case, &placed_pull.request(), fineness, watch));
-        let pulled = pulled.map_err(|why| not_inflated(&why, spec, &prediction.chambers[number], count))?;
-        prediction.pull = Some(placed_pull.prediction(&pulled));
-    }
+    prediction.pull = pulled(spec, &drawn_case, detail, watch)
+        .map_err(|(number, why)| not_inflated(&why, spec, &prediction.chambers[number], count))?;
     prediction.model = SHELL;
     "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
+    let folds = [is_measured_on_folds, is_weave_left_out];
+    prediction.evidence.warnings.extend(warnings(&prediction, pieces, folds));
+    Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// What the shell leaves out of `prediction`: whether measures depend on folds, and whether the weave does not count, say `folds` and the pieces.
+fn warnings(
+    prediction: &DrawnPrediction,
+    pieces: &DrawnPieces,
+    [is_measured_on_folds, is_weave_left_out]: [bool; 2],
+) -> Vec<PredictionWarning> {
+    let count = prediction.chambers.len();
     let parted: usize = pieces.pieces.iter().map(|piece| piece.shape.topology().chambers.len()).sum();
     let warnings = [
         is_measured_on_folds.then(|| {
@@ -143,8 +148,26 @@ pub fn inflate(
                 .to_owned()
         }),
     ];
-    prediction.evidence.warnings.extend(warnings.into_iter().flatten().map(PredictionWarning::from));
-    Ok(InflatedDrawing { prediction, surfaces, shapes })
+    warnings.into_iter().flatten().map(PredictionWarning::from).collect()
+}
+
+/// The pull at the bars of `case`, if it has some.
+///
+/// # Errors
+/// The shell's fault, with the index of the chamber.
+fn pulled(
+    spec: &Spec,
+    case: &DrawnCase,
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<Option<PullPrediction>, (usize, ShellFault)> {
+    let Some(placed_pull) = &case.pull else { return Ok(None) };
+    let number = placed_pull.chamber;
+    let chamber = &case.chambers[number];
+    let flat_region = case_of(spec, chamber, &case.pressures[number], Vec::new());
+    let (request, fineness) = (placed_pull.request(), chamber.fineness(detail));
+    let pulled = watch.run_part([PULL_BEGINS, 1.0], |watch| pull(&flat_region, &request, fineness, watch));
+    pulled.map(|pulled| Some(placed_pull.prediction(&pulled))).map_err(|fault| (number, fault))
 }
 
 /// `chamber` at its pressures, between the plates of `spec`, with the places whose positions are wanted.

@@ -7,7 +7,7 @@ use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
 use geom::{Line, Nearest, Point, Segment};
 use inflatable::mechanics::strength::GRAVITY;
-use inflatable::shell::cases::{Pull, PullPoint, PulledRegion, Wrinkles};
+use inflatable::shell::cases::{Pull, PullAtStroke, PulledRegion, Wrinkles};
 use serde::Serialize;
 use spec::units::{Length, Mass, Readable};
 use spec::{KeyPath, Spec, key};
@@ -176,8 +176,9 @@ impl PlacedPull {
     pub(super) fn prediction(&self, pulled: &PulledRegion) -> PullPrediction {
         let PulledRegion { curve, free_stroke, loaded_stroke, .. } = pulled;
         let blocked = curve.first().map_or(free_stroke.scaled(0.0), |point| point.force);
-        let row =
-            |PullPoint { stroke, force, .. }: &PullPoint| [1e3 * stroke, force.value, force.error].map(six);
+        let row = |PullAtStroke { stroke, force, .. }: &PullAtStroke| {
+            [1e3 * stroke, force.value, force.error].map(six)
+        };
         PullPrediction {
             bars: self.names.clone(),
             chamber: self.chamber + 1,

@@ -54,7 +54,7 @@ impl Field {
         }
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let shape = shape_of(key)?;
-        let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
+        let of_drawings = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS, key::load::PLATES];
         // The tool that cuts decides no prediction.
         let of_cut_tool = [
             key::cut::TOOL,
@@ -324,6 +324,7 @@ mod tests {
             "press.paper",
             "press.plates",
             "load.chambers",
+            "load.plates",
             "build.with",
         ];
         assert_eq!(unset_names, expected);

@@ -121,7 +121,7 @@ pub struct InflatedRegion {
     pub surface: Surface,
     /// The positions of the probes on the upper sheet, m, where the inflated chamber lies best on the flat one; of each mesh, coarse to fine.
     pub probed: Vec<Vec<[f64; 3]>>,
-    /// The same of the other computed shape, whether it counts as a second one or differs by its folds only; empty if one shape was computed.
+    /// The positions of the probes on the other computed shape, whether it counts as a second one or differs by its folds only; empty if one shape was computed.
     pub other_probed: Vec<Vec<[f64; 3]>>,
     /// Contact with plates, if it lies between some.
     pub plates: Option<PlateContact>,

@@ -7,18 +7,22 @@ pub(super) fn crossing(mesh: &Mesh, points: &[[f64; 3]]) -> Option<[[f64; 2]; 2]
     // Sorted by their least x, an edge is compared only with those that begin before it ends.
     let rims = mesh.edges.iter().filter(|edge| matches!(edge.border, Some(Border::Rim(_))));
     let mut ends: Vec<[usize; 2]> = rims.map(|edge| edge.ends).collect();
-    let least_x = |[a, b]: &[usize; 2]| points[*a][0].min(points[*b][0]);
-    ends.sort_by(|a, b| least_x(a).total_cmp(&least_x(b)));
+    ends.sort_by(|a, b| least_x(points, a).total_cmp(&least_x(points, b)));
     for (k, first) in ends.iter().enumerate() {
         let most_x = points[first[0]][0].max(points[first[1]][0]);
-        let near = ends[k + 1..].iter().take_while(|second| least_x(second) <= most_x);
-        for second in near.filter(|second| !second.iter().any(|end| first.contains(end))) {
+        let candidates = ends[k + 1..].iter().take_while(|second| least_x(points, second) <= most_x);
+        for second in candidates.filter(|second| !second.iter().any(|end| first.contains(end))) {
             if cross(first.map(|end| points[end]), second.map(|end| points[end])) {
                 return Some([first, second].map(|edge| middle(edge.map(|end| mesh.points[end]))));
             }
         }
     }
     None
+}
+
+/// The least x of an edge.
+fn least_x(points: &[[f64; 3]], [a, b]: &[usize; 2]) -> f64 {
+    points[*a][0].min(points[*b][0])
 }
 
 /// Whether two segments cross each other in plan view, each strictly inside of the other.
@@ -41,10 +45,12 @@ mod tests {
     use crate::shell::element::Fabric;
     use geom::{Arc, Line, Path, Point};
 
+    fn place(radius: f64, angle: f64) -> Point {
+        Point::new(radius * libm::cos(angle), radius * libm::sin(angle))
+    }
+
     /// An arc of `angle`, rad, 20 mm wide around a hole of 40 mm radius.
     fn arc(angle: f64) -> Result<(), ShellFault> {
-        let place =
-            |radius: f64, angle: f64| Point::new(radius * libm::cos(angle), radius * libm::sin(angle));
         let outline = Path::closed(vec![
             Arc::new(Point::ORIGIN, 0.06, 0.0, angle).into(),
             Line::new(place(0.06, angle), place(0.04, angle)).into(),
@@ -70,8 +76,8 @@ mod tests {
         assert_eq!(arc(4.0), Ok(()));
         let fault = arc(5.24).expect_err("it coils into itself");
         let ShellFault::Overlap { places } = fault else { panic!("{fault:?}") };
-        let is_at_an_end = |[x, y]: [f64; 2]| libm::atan2(y, x).abs() < 1.3;
-        assert!(places.into_iter().all(is_at_an_end), "{places:?}");
+        // Both lie near the ends of the arc.
+        assert!(places.iter().all(|[x, y]| libm::atan2(*y, *x).abs() < 1.3), "{places:?}");
         let text = ShellFault::Overlap { places }.to_string();
         assert!(text.contains("contact of a chamber with itself is not computed"), "{text}");
     }

@@ -66,8 +66,8 @@ mod tests {
         let gap = 6e-3;
         let [narrow, middle, wide] = [-5e-5, 0.0, 5e-5].map(|change| pouch(gap + change));
         let PlateContact { force, area } = middle.plates.expect("plates");
-        let lost = (narrow.energy.meshes[2] - wide.energy.meshes[2]) / 1e-4;
-        assert!((force.meshes[2] / lost - 1.0).abs() < 0.005, "{force:?}, by energy {lost}");
+        let slope = (narrow.energy.meshes[2] - wide.energy.meshes[2]) / 1e-4;
+        assert!((force.meshes[2] / slope - 1.0).abs() < 0.005, "{force:?}, by energy {slope}");
         let by_area = force.meshes[2] / (PRESSURE * area.meshes[2]);
         assert!(by_area > 0.98 && by_area < 1.12, "{force:?} on {area:?}");
         assert!((middle.height.meshes[2] / gap - 1.0).abs() < 1e-3, "{:?}", middle.height);

@@ -28,15 +28,13 @@ impl HeldNodes {
         let [first, second] = bars.map(middle);
         let distance = distance_of(bars);
         let direction = [0, 1].map(|axis| (second[axis] - first[axis]) / distance);
-        let part = |point: &[f64; 2]| {
-            let along = (0..2).map(|axis| (point[axis] - first[axis]) * direction[axis]).sum::<f64>();
-            (along / distance).clamp(0.0, 1.0)
-        };
+        let offsets = mesh.points.iter().map(|[x, y]| [x - first[0], y - first[1]]);
+        let parts = offsets.map(|[x, y]| (x * direction[0] + y * direction[1]) / distance);
         Self {
             nodes: bars.map(|bar| nodes_on(bar, mesh, sealed)),
             direction,
             distance,
-            parts: mesh.points.iter().map(part).collect(),
+            parts: parts.map(|part| part.clamp(0.0, 1.0)).collect(),
         }
     }
 
@@ -53,27 +51,25 @@ impl HeldNodes {
     pub(super) fn place(&self, state: &mut State, stroke: f64) {
         for (nodes, share) in self.nodes.iter().zip([0.5, -0.5]) {
             for (node, [x, y]) in nodes {
-                let [right, up] = self.direction.map(|part| share * stroke * part);
-                state.points[*node] = [x + right, y + up, 0.0];
+                let [shift_x, shift_y] = self.direction.map(|part| share * stroke * part);
+                state.points[*node] = [x + shift_x, y + shift_y, 0.0];
             }
         }
     }
 
-    /// Shortens `state` by `more`, each point by its place between the bars: a start for a larger stroke.
-    pub(super) fn shorten(&self, state: &mut State, more: f64) {
+    /// Shortens `state` by a further `stroke`, each point by its place between the bars: a start for a larger stroke.
+    pub(super) fn shorten(&self, state: &mut State, stroke: f64) {
         for (point, part) in state.points.iter_mut().zip(&self.parts) {
             for axis in [0, 1] {
-                point[axis] += (0.5 - part) * more * self.direction[axis];
+                point[axis] += (0.5 - part) * stroke * self.direction[axis];
             }
         }
     }
 
     /// The force that pulls the second bar towards the first, from the energy's derivatives by each point of one sheet: of both sheets.
     pub(super) fn force(&self, derivatives: &[[f64; 3]]) -> f64 {
-        let [right, up] = self.direction;
-        let along =
-            |(node, _): &(usize, [f64; 2])| derivatives[*node][0] * right + derivatives[*node][1] * up;
-        2.0 * self.nodes[1].iter().map(along).sum::<f64>()
+        let nodes = self.nodes[1].iter().map(|(node, _)| derivatives[*node]);
+        2.0 * nodes.map(|[x, y, _]| x * self.direction[0] + y * self.direction[1]).sum::<f64>()
     }
 }
 

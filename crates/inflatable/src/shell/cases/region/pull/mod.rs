@@ -42,7 +42,7 @@ pub struct Pull {
 
 /// The force at one stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PullPoint {
+pub struct PullAtStroke {
     /// How much nearer to each other the bars are than on the flat sheet, m.
     pub stroke: f64,
     /// The force with which the chamber pulls there, N.
@@ -57,7 +57,7 @@ pub struct PulledRegion {
     /// Distance of the bars on the flat sheet, m.
     pub distance: f64,
     /// Force against stroke: from the flat distance, where the force is the blocked one, to the free stroke of the coarsest mesh.
-    pub curve: Vec<PullPoint>,
+    pub curve: Vec<PullAtStroke>,
     /// The stroke without a force, m.
     pub free_stroke: Value,
     /// The stroke under the load, m; `None` without one, and where it is more than the blocked force.
@@ -140,9 +140,9 @@ impl PulledCase {
     /// A mesh whose `equilibrium` without a stroke is known.
     fn blocked(&self, solver: &mut Solver, meshed: &Meshed, equilibrium: &Equilibrium) -> Shortened {
         let sealed = SealedNodes::new(&self.chamber, &self.partial, meshed);
-        let held = HeldNodes::new(&meshed.mesh, &sealed, self.request.bars);
+        let nodes = HeldNodes::new(&meshed.mesh, &sealed, self.request.bars);
         let aim = self.tube.continuation().aim(equilibrium.pressure);
-        Shortened::new(solver, aim, held, equilibrium.state.clone())
+        Shortened::new(solver, aim, nodes, equilibrium.state.clone())
     }
 
     /// The numbers of one mesh, of which only the shape without a stroke is known. `starts` are the shapes of the coarser mesh at each of the
@@ -154,12 +154,11 @@ impl PulledCase {
         strokes: &mut Option<[f64; STROKES]>,
         starts: &mut Vec<Indented>,
     ) -> Result<[f64; NUMBERS], Stop> {
-        let strokes = match strokes {
-            Some(strokes) => *strokes,
-            None => {
-                let free = shortened.free_stroke(solver)?;
-                *strokes.insert(PARTS.map(|part| part * free))
-            }
+        let strokes = if let Some(strokes) = strokes {
+            *strokes
+        } else {
+            let free = shortened.free_stroke(solver)?;
+            *strokes.insert(PARTS.map(|part| part * free))
         };
         let coarse: Vec<State> = starts.drain(..).map(|start| start.state).collect();
         for (stroke, state) in strokes.iter().zip(coarse).skip(1) {
@@ -167,7 +166,7 @@ impl PulledCase {
         }
         let mut numbers = [f64::NAN; NUMBERS];
         for (k, stroke) in strokes.iter().enumerate() {
-            let settled = shortened.at(solver, *stroke)?;
+            let settled = shortened.settle_at(solver, *stroke)?;
             (numbers[k], numbers[STROKES + k]) = (settled.force, settled.energy);
             starts.push(Indented { state: settled.state, contact: None });
         }
@@ -185,7 +184,7 @@ impl PulledCase {
         strokes: &[f64; STROKES],
     ) -> PulledRegion {
         let Tube { width, fabric, .. } = self.tube;
-        let curve = strokes.iter().enumerate().map(|(k, stroke)| PullPoint {
+        let curve = strokes.iter().enumerate().map(|(k, stroke)| PullAtStroke {
             stroke: stroke * width,
             force: values[k].scaled(fabric.stretch * width),
             energy: values[STROKES + k].scaled(2.0 * self.tube.energy()),

@@ -27,15 +27,15 @@ pub(super) struct Settled {
 /// A mesh between bars, and its equilibria.
 pub(super) struct Shortened {
     aim: Aim,
-    held: HeldNodes,
+    nodes: HeldNodes,
     /// In the order of strokes; the first has none.
     settled: Vec<Settled>,
 }
 
 impl Shortened {
     /// A mesh that is in equilibrium in `blocked`, without a stroke.
-    pub(super) fn new(solver: &mut Solver, aim: Aim, held: HeldNodes, blocked: State) -> Self {
-        let mut shortened = Self { aim, held, settled: Vec::new() };
+    pub(super) fn new(solver: &mut Solver, aim: Aim, nodes: HeldNodes, blocked: State) -> Self {
+        let mut shortened = Self { aim, nodes, settled: Vec::new() };
         let _ = shortened.keep(solver, 0.0, blocked);
         shortened
     }
@@ -43,7 +43,7 @@ impl Shortened {
     /// Keeps the equilibrium `state` at a `stroke`.
     fn keep(&mut self, solver: &mut Solver, stroke: f64, state: State) -> Settled {
         let energy = solver.assembly.differentiate(&state, self.aim.pressure).total(self.aim.pressure);
-        let settled = Settled { stroke, force: self.held.force(solver.assembly.forces()), energy, state };
+        let settled = Settled { stroke, force: self.nodes.force(solver.assembly.forces()), energy, state };
         let index = self.settled.partition_point(|other| other.stroke < stroke);
         self.settled.insert(index, settled.clone());
         settled
@@ -51,29 +51,29 @@ impl Shortened {
 
     /// Settles at `stroke` from a coarser mesh's shape there, or from the nearest stroke where that leads to no equilibrium.
     pub(super) fn start(&mut self, solver: &mut Solver, stroke: f64, mut state: State) -> Result<(), Stop> {
-        self.held.place(&mut state, stroke);
+        self.nodes.place(&mut state, stroke);
         solver.is_rough = true;
         match solver.rest(&mut state, self.aim) {
             Ok(_) => drop(self.keep(solver, stroke, state)),
             Err(Stop::Cancelled) => return Err(Stop::Cancelled),
-            Err(_) => drop(self.at(solver, stroke)?),
+            Err(_) => drop(self.settle_at(solver, stroke)?),
         }
         Ok(())
     }
 
     /// The equilibrium at `stroke`, reached from the nearest known one in as few steps as lead there.
-    pub(super) fn at(&mut self, solver: &mut Solver, stroke: f64) -> Result<Settled, Stop> {
-        let distance = |settled: &Settled| (settled.stroke - stroke).abs();
-        let nearest = self.settled.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let mut last = nearest.cloned().ok_or(Stop::Unstable)?;
+    pub(super) fn settle_at(&mut self, solver: &mut Solver, stroke: f64) -> Result<Settled, Stop> {
+        let by_distance = self.settled.iter().map(|settled| ((settled.stroke - stroke).abs(), settled));
+        let nearest = by_distance.min_by(|(a, _), (b, _)| a.total_cmp(b));
+        let mut last = nearest.ok_or(Stop::Unstable)?.1.clone();
         let mut step = stroke - last.stroke;
         let mut halvings = 0;
         while last.stroke != stroke {
             let is_last = (stroke - last.stroke).abs() <= step.abs();
             let next = if is_last { stroke } else { last.stroke + step };
             let mut state = last.state.clone();
-            self.held.shorten(&mut state, next - last.stroke);
-            self.held.place(&mut state, next);
+            self.nodes.shorten(&mut state, next - last.stroke);
+            self.nodes.place(&mut state, next);
             match solver.rest(&mut state, self.aim) {
                 Ok(_) => last = self.keep(solver, next, state),
                 Err(stop) if stop == Stop::Cancelled || halvings == MOST_HALVINGS => return Err(stop),
@@ -89,11 +89,11 @@ impl Shortened {
     /// The stroke at which the force vanishes.
     pub(super) fn free_stroke(&mut self, solver: &mut Solver) -> Result<f64, Stop> {
         while let Some(last) = self.settled.last().filter(|last| last.force > 0.0) {
-            let stroke = GROWTH * last.stroke + LEAST_STEP * self.held.distance;
-            if stroke > LONGEST * self.held.distance {
+            let stroke = GROWTH * last.stroke + LEAST_STEP * self.nodes.distance;
+            if stroke > LONGEST * self.nodes.distance {
                 return Err(Stop::Unstable);
             }
-            let _ = self.at(solver, stroke)?;
+            let _ = self.settle_at(solver, stroke)?;
         }
         self.stroke_of(solver, 0.0)
     }
@@ -112,13 +112,13 @@ impl Shortened {
             let way = high.stroke - low.stroke;
             stroke = low.stroke + way * (low.force - force) / (low.force - high.force);
             let trial_stroke = if trial % 2 == 0 { stroke } else { low.stroke + 0.5 * way };
-            if way <= STROKE_ERROR * self.held.distance
+            if way <= STROKE_ERROR * self.nodes.distance
                 || trial_stroke <= low.stroke
                 || trial_stroke >= high.stroke
             {
                 break;
             }
-            let _ = self.at(solver, trial_stroke)?;
+            let _ = self.settle_at(solver, trial_stroke)?;
         }
         Ok(stroke)
     }
