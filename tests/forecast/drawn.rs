@@ -252,9 +252,9 @@ fn what_is_missing_or_for_stars_is_said() {
     let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n[accuracy]\nmodel = \"ring\"\n");
     let fault = of_spec(&asked.0, &asked.1, &Watch::default()).expect_err("a model of stars");
     assert!(fault.to_string().contains("ring is a model of a star's hinges"), "{fault}");
-    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n[load]\nmass = \"1 kg\"\n";
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n[load]\nobject_diameter = \"60 mm\"\n";
     let faults = read(&Source::new("x", text)).expect_err("an object").to_string();
-    assert!(faults.contains("\"mass\" in [load] beside [drawing]") || faults.contains("mass"), "{faults}");
+    assert!(faults.contains("object_diameter"), "{faults}");
 }
 
 /// Chambers whose seams share a band are computed alone, which is told; those farther apart are alone indeed.

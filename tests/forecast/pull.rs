@@ -32,6 +32,8 @@ const LONG_SEAMS: &str = "<path id=\"top\" d=\"M20 18H120\"/><path id=\"bottom\"
 /// A bar on the band holds the edge beside it; what hangs on the bars lies on the curve.
 #[test]
 fn a_pouch_lifts_what_its_curve_says() {
+    // The bars lie on the band and on the edge. The answer is compared with the closed form of an endless pouch, and the lifted mass with the rows
+    // of the curve on both sides of it.
     let (spec, design) = pouch(LONG_SEAMS, "mass = \"2 kg\"");
     let pieces = design.drawn_pieces().expect("a drawing");
     let drawing = inflate(&spec, pieces, Detail::Coarse, &Watch::default()).expect("a shell").prediction;
@@ -57,6 +59,7 @@ fn a_pouch_lifts_what_its_curve_says() {
 /// Bars and their loads that no chamber can have, each with its remedy.
 #[test]
 fn wrong_bars_are_refused() {
+    // Each row has one fault in its bars or loads, which `check` finds without the shell. The problem is named, and what to do.
     let top = "<path id=\"top\" d=\"M20 20H120\"/>";
     for (bars, load, problem, remedy) in [
         (top, "", "role `pull` has 1 figures, and bars are two", "draw two straight lines"),

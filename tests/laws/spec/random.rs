@@ -104,7 +104,6 @@ const KEYS: &[Key] = &[
     key("load", "friction", &[], (1e-9, 10.0), |s, x| load(s).friction = Some(x)),
     key("load", "friction_least", &[], (1e-9, 10.0), |s, x| load(s).friction_least = Some(x)),
     key("load", "friction_most", &[], (1e-9, 10.0), |s, x| load(s).friction_most = Some(x)),
-    key("load", "plates", LENGTH, SIZE, |s, x| load(s).plates = Some(Length(x))),
     key("load", "mass", Mass::KIND.units, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
     key("load", "largest_force", Force::KIND.units, (1e-9, 1e6), |s, x| {
         load(s).largest_force = Some(Force(x));
@@ -121,9 +120,9 @@ const REQUIRED: &[Key] = &[
 ];
 
 /// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no
-/// wider than the band, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused
+/// wider than the band, plates press drawings, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused
 /// beside an iron: tests/design/pressed.rs sets them.
-const ELSEWHERE: [KeyPath; 11] = [
+const ELSEWHERE: [KeyPath; 12] = [
     key_path::cut::TEMPERATURE,
     key_path::cut::SPEED,
     key_path::cut::HEIGHT,
@@ -131,6 +130,7 @@ const ELSEWHERE: [KeyPath; 11] = [
     key_path::mask::BED,
     key_path::stack::ROTATION,
     key_path::load::OBJECT_RADIUS,
+    key_path::load::PLATES,
     key_path::seal::TIP,
     key_path::seal::STRENGTH,
     key_path::seal::POWER,
