@@ -9,7 +9,8 @@ use stargrip_cam::design::Alignment;
 use stargrip_cam::geom::Point;
 use stargrip_cam::pipeline::{self, Proven, read_mark};
 
-use crate::build::{Build, publish_into};
+use crate::build::{Build, has_same_files, publish_into};
+use crate::equality::hash_of_text;
 use crate::faults::{of_failure, plain, usage};
 use crate::options::refuse_unknown;
 use crate::workshop::files;
@@ -99,6 +100,14 @@ impl Aligned {
     /// any. Raises PublishError, and then leaves the directory unchanged.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
         publish_into(py, &path, &self.proven)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| has_same_files(&self.proven, &other.get().proven))
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {

@@ -15,6 +15,7 @@ use stargrip_cam::forecast::keys::{Key, KeyKind};
 use stargrip_cam::forecast::prediction as answers;
 use stargrip_cam::units::count_text;
 
+use crate::equality::{has_same_content, hash_of_text};
 use crate::mesh::Mesh;
 
 /// An answer: the crate's own structure, or the content of a pickle.
@@ -175,6 +176,14 @@ macro_rules! answer {
                 self.0.answer.representation()
             }
 
+            fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+                has_same_content(slf, other)
+            }
+
+            fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+                hash_of_text(slf)
+            }
+
             /// The answer as a table of its numbers with their ranges, for notebooks.
             fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
                 slf.py().import("stargrip_cam._shown")?.getattr("prediction")?.call1((slf,))
@@ -259,6 +268,14 @@ impl Chamber {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Py<PyDict>,))> {
         Ok((slf.get_type().getattr("_restored")?, (slf.get().0.clone_ref(slf.py()),)))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

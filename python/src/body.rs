@@ -9,6 +9,7 @@ use stargrip_cam::shell::cases::{InflatedShape, Symmetry, WholeBody};
 use stargrip_cam::units::Length;
 
 use crate::arrays::{integers, rows};
+use crate::equality::{has_same_content, hash_of_text};
 use crate::faults::usage;
 
 /// A whole inflated body in triangles: both sheets and all their mirror images, closed, N nodes, M triangles, counterclockwise from outside:
@@ -104,6 +105,14 @@ impl Body {
         let WholeBody { points, flat, triangles, images, .. } = surface;
         let content = (points, flat, triangles, images, seams);
         Ok((slf.get_type().getattr("_restored")?, content.into_pyobject(slf.py())?))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {

@@ -19,6 +19,7 @@ use stargrip_cam::verify::Finding;
 
 use crate::answer::of_gripper;
 use crate::arguments;
+use crate::equality::hash_of_text;
 use crate::faults::{of_design, of_failure, of_findings, plain};
 use crate::options::refuse_unknown;
 use crate::spec::Spec;
@@ -187,10 +188,23 @@ impl Build {
         Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| has_same_files(&self.proven, &other.get().proven))
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
+    }
+
     fn __repr__(&self) -> String {
         let built = self.proven.built();
         format!("<Build {:?}: {}>", built.manifest.name, count_text(built.artifacts.len() + 1, "file"))
     }
+}
+
+/// Whether two builds have the same files: the manifest has the hash of each.
+pub(crate) fn has_same_files(proven: &Proven, other: &Proven) -> bool {
+    proven.built().manifest.to_json() == other.built().manifest.to_json()
 }
 
 /// The notes of publishing `proven` into the directory `path`.

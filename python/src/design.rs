@@ -13,6 +13,7 @@ use stargrip_cam::pipeline::Forecast;
 use stargrip_cam::units::count_text;
 
 use crate::arrays::{floats, rows};
+use crate::equality::{has_same_content, hash_of_text};
 use crate::faults::{of_design, usage};
 use crate::piece::Piece;
 use crate::shapes::{Contour, TOLERANCE, polygon};
@@ -101,6 +102,14 @@ impl Design {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Spec,))> {
         let spec = Spec { given: Arc::clone(&slf.get().given) };
         Ok((slf.get_type().getattr("_restored")?, (spec,)))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {
@@ -296,6 +305,14 @@ impl Star {
         let star = slf.get();
         let state = (&star.whole, star.placed.index).into_pyobject(slf.py())?;
         Ok((slf.get_type().getattr("_restored")?, state))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {

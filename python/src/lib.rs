@@ -31,6 +31,7 @@ mod body;
 mod build;
 mod command;
 mod design;
+mod equality;
 mod faults;
 mod gripper;
 mod mesh;

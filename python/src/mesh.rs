@@ -7,6 +7,7 @@ use stargrip_cam::shell::cases::{InflatedShape, Symmetry};
 
 use crate::arrays::{floats, integers, rows};
 use crate::body::Body;
+use crate::equality::{has_same_content, hash_of_text};
 use crate::faults::{plain, usage};
 use crate::shapes::Contour;
 
@@ -125,6 +126,14 @@ impl Mesh {
             seams.iter().map(|(name, path)| (name, Contour(path.clone()))).collect();
         let content = ((points, flat), triangles, [tension, stretch, curvature], sectors, seams);
         Ok((slf.get_type().getattr("_restored")?, content.into_pyobject(slf.py())?))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {

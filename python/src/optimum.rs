@@ -10,6 +10,7 @@ use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::units::Length;
 
 use crate::arrays::floats;
+use crate::equality::hash_of_text;
 use crate::faults::of_failure;
 use crate::options::options;
 use crate::spec::{Spec, of_text};
@@ -126,11 +127,35 @@ impl Optimum {
         Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            let [text, other_text] =
+                [self, other].map(|optimum| optimum.spec.as_ref().map(|spec| &spec.given.source.text));
+            text == other_text
+                && (self.computed, &self.short) == (other.computed, &other.short)
+                && are_equal(&self.best, &other.best)
+                && are_equal(&self.front, &other.front)
+        })
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
+    }
+
     fn __repr__(&self) -> String {
         let rows = |columns: &Columns| columns.first().map_or(0, |(_, values)| values.len());
         let (best, front) = (rows(&self.best), rows(&self.front));
         format!("<Optimum of {} designs: {best} best by points, {front} on the front>", self.computed)
     }
+}
+
+/// Whether two tables have the same values. A value that is unknown, NaN, equals another one.
+fn are_equal(columns: &Columns, others: &Columns) -> bool {
+    let bits = |(name, values): &(String, Vec<f64>)| {
+        (name.clone(), values.iter().map(|value| value.to_bits()).collect::<Vec<_>>())
+    };
+    columns.iter().map(bits).eq(others.iter().map(bits))
 }
 
 /// A column: its name and the value of one design.

@@ -10,6 +10,7 @@ use stargrip_cam::design::{CutEdge, FlatPiece, PlacedPart};
 use stargrip_cam::geom::Path;
 
 use crate::arrays::rows;
+use crate::equality::{has_same_content, hash_of_text};
 use crate::faults::{of_design, usage};
 use crate::shapes::{Contour, TOLERANCE, polygon};
 use crate::spec::Spec;
@@ -138,6 +139,14 @@ impl Piece {
         let Self { loaded, place, .. } = slf.get();
         let content = (Spec { given: Arc::clone(loaded) }, *place).into_pyobject(slf.py())?;
         Ok((slf.get_type().getattr("_restored")?, content))
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        has_same_content(slf, other)
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        hash_of_text(slf)
     }
 
     fn __repr__(&self) -> String {

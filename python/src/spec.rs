@@ -160,7 +160,10 @@ impl Spec {
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         let is_equal = |other: PyRef<'_, Self>| {
-            other.given.source.text == self.given.source.text && other.given.machine == self.given.machine
+            // A drawing is no part of the text.
+            other.given.source.text == self.given.source.text
+                && other.given.machine == self.given.machine
+                && other.given.reading.spec == self.given.reading.spec
         };
         other.extract::<PyRef<'_, Self>>().is_ok_and(is_equal)
     }

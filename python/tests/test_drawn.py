@@ -47,6 +47,8 @@ def test_a_drawing_is_predicted_by_its_chambers(pillow: sg.Spec) -> None:
     for of in (said, chamber):
         back = pickle.loads(pickle.dumps(of))
         assert back.to_dict() == of.to_dict() and repr(back) == repr(copy.deepcopy(of)) == repr(of)
+        assert back == copy.deepcopy(of) == of and hash(back) == hash(of)
+    assert said != chamber
     built = sg.build(pillow, only=["prediction"]).prediction
     assert isinstance(built, sg.DrawnPrediction) and built.chambers[0].width_mm == chamber.width_mm
 

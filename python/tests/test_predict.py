@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any, Callable
 
 import numpy as np
 import pytest
@@ -66,6 +67,26 @@ def test_a_notebook_shows_numbers_with_ranges(gripper: sg.Spec) -> None:
     assert "final_radius_mm" in page and f"{low:.5g} to {high:.5g}" in page
     wide = sg.predict(gripper.replace({"load.object_diameter": "130 mm"}))
     assert ">yes<" in page and ">no<" in wide._repr_html_() and "does not enter" in wide._repr_html_()
+
+
+def test_answers_are_equal_if_their_contents_are(gripper: sg.Spec) -> None:
+    other = gripper.replace({"load.pressure": "36 kPa"})
+    starter = sg.Spec.starter("x").replace({"load.pressure": "37 kPa"})
+    answers: list[tuple[Callable[[Any], Any], Any, Any]] = [
+        (sg.predict, gripper, other),
+        (lambda pressure: sg.actuator(**{**V, "pressure": pressure}), "20 kPa", "21 kPa"),
+        (lambda pressure: sg.actuator(**{**V, "pressure": pressure}, model="shell", fineness="coarse").mesh, "20 kPa", "21 kPa"),
+        (sg.design, gripper, other),
+        (lambda spec: sg.design(spec).stars[0], gripper, other),
+        (lambda index: sg.design(gripper).stars[index], 0, 1),
+        (lambda index: sg.design(gripper).pieces[index], 0, 1),
+        (lambda spec: sg.build(spec, only=["seal-gcode"]), gripper, other),
+        (lambda goal: sg.optimize(starter, goal=goal, points=(4, 5)), "fabric", "stiffness"),
+    ]
+    for answer, argument, changed in answers:
+        first, second = answer(argument), answer(argument)
+        assert first is not second and first == second and hash(first) == hash(second), first
+        assert first != answer(changed) and first != repr(first), first
 
 
 def test_an_actuator_is_what_the_command_prints() -> None:

@@ -55,7 +55,9 @@ def test_programs_follow_a_sheet_that_was_moved(gripper: sg.Spec, tmp_path: Path
     aligned = sg.align(build, *moved)
     assert isinstance(aligned, sg.Aligned) and aligned.sheet == 1
     assert (*aligned.shift_mm, aligned.turn_deg, aligned.stretch_mm) == pytest.approx((1.5, -0.5, 0.0, 0.0), abs=1e-3)
-    assert aligned.files == sg.align(tmp_path / "job", *moved).files
+    same = sg.align(tmp_path / "job", *moved)
+    assert aligned.files == same.files and aligned == same and hash(aligned) == hash(same)
+    assert aligned != sg.align(build, *(f"{mark['x_mm']}, {mark['y_mm']}" for mark in marks))
     assert all(name.endswith((".gcode", ".toml", ".json")) for name in aligned.files)
     assert aligned.files["star-1-seal.gcode"] != build.files["star-1-seal.gcode"]
     aligned.write(tmp_path / "aligned")
