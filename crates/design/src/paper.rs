@@ -18,8 +18,9 @@ const WHITE: f64 = 12.7;
 const MARKS: f64 = 4.0;
 /// Height of the strip with ruler, square and name, mm.
 const FOOT: f64 = 28.0;
-/// Overlap of neighbouring tiles, mm: room for tape and for the crosses.
+/// Overlap of neighbouring tiles, mm: room for tape and for the crosses, and the least one, where it saves pages.
 const OVERLAP: f64 = 10.0;
+const LEAST_OVERLAP: f64 = 8.0;
 /// Least width of a large page: ruler, square and name side by side.
 const LEAST_WIDTH: f64 = 215.0;
 /// Most tiles that are written: more than a hundred pages are not taped together.
@@ -69,7 +70,7 @@ impl Paper {
         let empty_drawing =
             Drawing { origin: Origin::LowerLeft, width: 0.0, height: 0.0, layers: Vec::new() };
         let area = Bounds { min: Point::ORIGIN, max: Point::ORIGIN };
-        let window = self.grid(&empty_drawing, area, false).window;
+        let window = self.grid(&empty_drawing, area, false, OVERLAP).window;
         [window.width(), window.height()]
     }
 
@@ -102,22 +103,24 @@ impl Paper {
         overview.into_iter().chain(tiles.iter().map(|tile| grid.page(drawing, tile))).collect()
     }
 
-    /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, as it
-    /// takes the fewest pages. Of equals the first is taken.
+    /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, with an
+    /// ordinary or a small overlap, as it takes the fewest pages. Of equals the first is taken.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
         let sheet_area = Bounds {
             min: drawing.corner(),
             max: drawing.corner() + Vec2::new(drawing.width, drawing.height),
         };
-        let upright = self.grid(drawing, sheet_area, false);
+        let upright = self.grid(drawing, sheet_area, false, OVERLAP);
         if upright.columns * upright.rows <= 1.0 {
             return upright;
         }
         let part = extent(drawing);
         let alternatives = [
-            self.grid(drawing, sheet_area, true),
-            self.grid(drawing, part, false),
-            self.grid(drawing, part, true),
+            self.grid(drawing, sheet_area, true, OVERLAP),
+            self.grid(drawing, part, false, OVERLAP),
+            self.grid(drawing, part, true, OVERLAP),
+            self.grid(drawing, part, false, LEAST_OVERLAP),
+            self.grid(drawing, part, true, LEAST_OVERLAP),
         ];
         let (mut best, mut fewest) = (upright.page_count(drawing), upright);
         for grid in alternatives {
@@ -132,8 +135,8 @@ impl Paper {
     /// The division of the part `extent` of a drawing into pages; `is_turned` turns the paper.
     ///
     /// The window is what a printer prints without marks and foot. Neighbours overlap, so each page after the first adds a
-    /// window less the overlap. The large page grows with the drawing instead.
-    fn grid(self, drawing: &Drawing, extent: Bounds, is_turned: bool) -> TileGrid<'static> {
+    /// window less the `overlap`. The large page grows with the drawing instead.
+    fn grid(self, drawing: &Drawing, extent: Bounds, is_turned: bool, overlap: f64) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
                 let border = 2.0 * (WHITE + MARKS);
@@ -146,10 +149,13 @@ impl Paper {
         let border = WHITE + MARKS;
         let corner = Point::new(border, WHITE + FOOT);
         let window = Bounds { min: corner, max: Point::new(width - border, height - border) };
-        let steps = Vec2::new(window.width() - OVERLAP, window.height() - OVERLAP);
+        let steps = Vec2::new(window.width() - overlap, window.height() - overlap);
         let (columns, rows) = match self {
             Self::Large => (1.0, 1.0),
-            _ => (tiles_along(extent.width(), steps.x), tiles_along(extent.height(), steps.y)),
+            _ => (
+                tiles_along(extent.width(), steps.x, overlap),
+                tiles_along(extent.height(), steps.y, overlap),
+            ),
         };
         TileGrid {
             paper: self,
@@ -157,6 +163,7 @@ impl Paper {
             width,
             height,
             window,
+            overlap,
             steps,
             columns,
             rows,
@@ -166,8 +173,8 @@ impl Paper {
     }
 }
 
-fn tiles_along(extent: f64, step: f64) -> f64 {
-    ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0)
+fn tiles_along(extent: f64, step: f64, overlap: f64) -> f64 {
+    ((extent - overlap) / step - 1e-9).ceil().max(1.0)
 }
 
 /// The division of a drawing into pages.
@@ -178,6 +185,8 @@ pub(super) struct TileGrid<'a> {
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) window: Bounds,
+    /// Of neighbours, mm.
+    overlap: f64,
     steps: Vec2,
     columns: f64,
     rows: f64,
@@ -212,9 +221,9 @@ impl TileGrid<'_> {
                 let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
                 let min = self.corner + shift;
                 let seen_area = Bounds { min, max: min + (self.window.max - self.window.min) };
-                let low = Vec2::new(half_overlap(column > 0.0), half_overlap(row > 0.0));
-                let high =
-                    Vec2::new(half_overlap(column + 1.0 < self.columns), half_overlap(row + 1.0 < self.rows));
+                let (right, top) = (column + 1.0 < self.columns, row + 1.0 < self.rows);
+                let low = Vec2::new(self.half_overlap(column > 0.0), self.half_overlap(row > 0.0));
+                let high = Vec2::new(self.half_overlap(right), self.half_overlap(top));
                 let own_area = Bounds { min: seen_area.min + low, max: seen_area.max - high };
                 if shows(drawing, &own_area) {
                     tiles.push(Tile {
@@ -229,6 +238,11 @@ impl TileGrid<'_> {
             letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
         }
         tiles
+    }
+
+    /// Half the overlap with a neighbour, if there is one.
+    fn half_overlap(&self, has_neighbour: bool) -> f64 {
+        if has_neighbour { self.overlap / 2.0 } else { 0.0 }
     }
 
     fn page(&self, drawing: &Drawing, tile: &Tile) -> Page {
@@ -275,7 +289,7 @@ impl TileGrid<'_> {
             strokes.push(Path::polyline(&[corner - x * 1.0, corner - x * MARKS]));
             strokes.push(Path::polyline(&[corner - y * 1.0, corner - y * MARKS]));
             if self.columns * self.rows > 1.0 && !self.alone {
-                let middle = corner + inwards * (OVERLAP / 2.0);
+                let middle = corner + inwards * (self.overlap / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
                     strokes.push(Path::polyline(&[middle - arm, middle + arm]));
                 }
@@ -306,10 +320,6 @@ impl TileGrid<'_> {
         strokes.extend(lettering::lettered(self.caption, foot_point(0.0, 20.0), 3.0));
         strokes.extend(lettering::lettered("PRINT AT 100 PER CENT", foot_point(134.0, 9.0), 2.0));
     }
-}
-
-fn half_overlap(is: bool) -> f64 {
-    if is { OVERLAP / 2.0 } else { 0.0 }
 }
 
 /// A point of the foot, from the lower left corner of the area that every printer prints.
@@ -388,6 +398,22 @@ mod tests {
             assert_eq!(pages_of.len(), pages, "{width} {x} {y}");
             assert_eq!(pages_of[0].drawing.width > pages_of[0].drawing.height, is_turned, "{width} {x} {y}");
         }
+    }
+
+    /// Two upright pages show 341.2 mm of a part with the ordinary overlap, 343.2 mm with the least one.
+    #[test]
+    fn pages_overlap_by_less_where_that_saves_one() {
+        let overlap_and_tiles = |width: f64| {
+            let edge = Bounds { min: Point::new(10.0, 10.0), max: Point::new(10.0 + width, 180.0) };
+            let layers = vec![(Layer::CutOutside, vec![Shape::Figure(vec![Path::rectangle(&edge)])])];
+            let drawing = Drawing { origin: Origin::LowerLeft, width: 363.0, height: 196.0, layers };
+            let grid = Paper::A4.cut(&drawing);
+            (grid.overlap, grid.tiles(&drawing).len())
+        };
+        assert_eq!(overlap_and_tiles(341.1), (OVERLAP, 2));
+        assert_eq!(overlap_and_tiles(342.1), (LEAST_OVERLAP, 2));
+        let (overlap, tiles) = overlap_and_tiles(343.3);
+        assert!(overlap == OVERLAP && tiles > 2, "{overlap} {tiles}");
     }
 
     #[test]
