@@ -3,6 +3,7 @@
 //! The page is a fixed frame, `templates/report/`, and a block of figures ([`data`]) that its scripts show. Of the rest
 //! only the title depends on the spec, so a reader of the block has read the page.
 
+mod bare;
 mod data;
 mod job;
 mod page;

@@ -13,6 +13,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+use crate::emit::report::bare::bare;
 use crate::link::LinkCode;
 use design::PressPlan;
 use program::text::filled;
@@ -20,29 +21,27 @@ use program::text::filled;
 const FRAME: &str = include_str!("../../../templates/report/page.html");
 
 /// The styles of the page: on a screen, on paper.
-const STYLES: [&str; 2] = [
-    include_str!("../../../templates/report/screen.css"),
-    include_str!("../../../templates/report/paper.css"),
-];
+const STYLES: [&str; 2] =
+    [bare!("../../../templates/report/screen.css"), bare!("../../../templates/report/paper.css")];
 
 /// The scripts, in the order in which they run: each uses only those before it.
 const SCRIPTS: [&str; 12] = [
-    include_str!("../../../templates/report/words.js"),
-    include_str!("../../../templates/report/drawing.js"),
-    include_str!("../../../templates/report/drawing_page.js"),
-    include_str!("../../../templates/report/verdict.js"),
-    include_str!("../../../templates/report/player.js"),
-    include_str!("../../../templates/report/star.js"),
-    include_str!("../../../templates/report/plots.js"),
-    include_str!("../../../templates/report/glb.js"),
-    include_str!("../../../templates/report/scene.js"),
-    include_str!("../../../templates/report/tables.js"),
-    include_str!("../../../templates/report/place.js"),
-    include_str!("../../../templates/report/start.js"),
+    bare!("../../../templates/report/words.js"),
+    bare!("../../../templates/report/drawing.js"),
+    bare!("../../../templates/report/drawing_page.js"),
+    bare!("../../../templates/report/verdict.js"),
+    bare!("../../../templates/report/player.js"),
+    bare!("../../../templates/report/star.js"),
+    bare!("../../../templates/report/plots.js"),
+    bare!("../../../templates/report/glb.js"),
+    bare!("../../../templates/report/scene.js"),
+    bare!("../../../templates/report/tables.js"),
+    bare!("../../../templates/report/place.js"),
+    bare!("../../../templates/report/start.js"),
 ];
 
 /// The script of the page for a heat press, behind the others but the last, which starts the page.
-const PRESS_SCRIPT: &str = include_str!("../../../templates/report/press.js");
+const PRESS_SCRIPT: &str = bare!("../../../templates/report/press.js");
 
 /// Compression level of the scene, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
 const PACKED: u8 = 6;
