@@ -1,10 +1,13 @@
 //! The initial data of a page: `start`; and the meaning of a code: `explain`.
 
 use serde_json::{Value, json};
-use stargrip_cam::answer::codes::{meanings, word_of};
+use stargrip_cam::answer::codes::word_of;
 use stargrip_cam::artifact::Kind;
+use stargrip_cam::design::RefusalCode;
+use stargrip_cam::pipeline::PrecautionCode;
 use stargrip_cam::spec;
-use stargrip_cam::spec::Machine;
+use stargrip_cam::spec::{Code, FaultCode, Machine};
+use stargrip_cam::verify::FindingCode;
 
 use crate::question::text;
 
@@ -25,8 +28,17 @@ pub(super) fn start() -> Value {
     })
 }
 
-/// The meaning of a code, with its remedy; null if there is no such code.
+/// The `meaning` of a code, with its remedy; null if there is no such code. Examples are in docs/codes.md.
 pub(super) fn explain(question: &Value) -> Value {
     let word = word_of(text(question, "code").unwrap_or_default());
-    meanings().iter().find(|meaning| meaning.code == word).map_or(Value::Null, |row| json!(row))
+    let meaning = meaning_in(FaultCode::ALL, word)
+        .or_else(|| meaning_in(RefusalCode::ALL, word))
+        .or_else(|| meaning_in(FindingCode::ALL, word))
+        .or_else(|| meaning_in(PrecautionCode::ALL, word));
+    json!({ "meaning": meaning })
+}
+
+/// The meaning of the code `word` among `codes`.
+fn meaning_in<C: Code>(codes: &[C], word: &str) -> Option<&'static str> {
+    codes.iter().find(|code| code.as_str() == word).map(|code| code.meaning())
 }
