@@ -43,7 +43,7 @@ release-twice:
 WASM = wasm32-unknown-unknown
 web:
 	@test -d "$$(rustc --print sysroot)/lib/rustlib/$(WASM)" || { echo "a target is missing: run \`rustup target add $(WASM)\`" >&2; exit 1; }
-	$(CARGO) build --locked --profile page -p stargrip-cam-web --target $(WASM)
+	CARGO_ENCODED_RUSTFLAGS="$$(packaging/flags "$$PWD")" $(CARGO) build --locked --profile page -p stargrip-cam-web --target $(WASM)
 	web/make-page target/$(WASM)/page/stargrip_cam_web.wasm target/web
 
 # Book and page as one static site in target/site.
