@@ -46,7 +46,7 @@ pub fn feed_check(
     sources: Sources<'_>,
     name: &str,
 ) -> Result<ProvenFeedCheck, FeedCheckFault> {
-    let is_pressed: Refusals = no_programs(spec, "feedcheck").into_iter().collect();
+    let is_pressed: Refusals = no_programs(spec, "a feed check").into_iter().collect();
     is_pressed.or_value(()).map_err(FeedCheckFault::Refused)?;
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
@@ -71,6 +71,16 @@ pub fn feed_check(
         files: std::iter::once(ManifestFile::new(&program)).chain(packed).collect(),
     };
     Ok(ProvenFeedCheck { text, package, manifest })
+}
+
+/// The moves that a feed check of `machine` times, in words.
+pub fn feed_check_ways(machine: &Machine) -> String {
+    let length = plan::CHECK_LENGTH;
+    if machine.controller.arcs {
+        format!("three lines (X, Y, 45 deg) and two arcs (G2, G3) of {length} mm")
+    } else {
+        format!("three lines of {length} mm (X, Y, 45 deg)")
+    }
 }
 
 /// The program `text` in a package; `None` where `machine` takes none.

@@ -1,9 +1,9 @@
 //! Precautions before sealing: tasks and warnings for the user before hours of work begin.
 
 use crate::airtight;
-use crate::pipeline::Forecast;
 use crate::pipeline::code::PrecautionCode;
 use crate::pipeline::weak_process::weak_processes;
+use crate::pipeline::{Forecast, Reader};
 use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
@@ -38,8 +38,8 @@ impl Precaution {
 }
 
 impl Forecast {
-    /// All precautions, the most urgent first; `spec` is the spec's path in their commands, quoted for a shell.
-    pub fn precautions(&self, spec: &str) -> Vec<Precaution> {
+    /// All precautions, the most urgent first, in the words of `reader`.
+    pub fn precautions(&self, reader: Reader<'_>) -> Vec<Precaution> {
         let unfit = self.unfit();
         let is_fit = unfit.is_empty();
         let mut list: Vec<Precaution> = unfit
@@ -48,25 +48,25 @@ impl Forecast {
             .collect();
         list.extend(self.doubt());
         list.extend(weak_seal(self, is_fit));
-        list.extend(strength(self));
+        list.extend(strength(self, reader));
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
         list.extend(fit_valves(self));
-        let notes = weak_processes(self).into_iter();
+        let notes = weak_processes(self, reader).into_iter();
         list.extend(notes.map(|text| Precaution::new(PrecautionCode::WeakProcess, text)));
         list.extend(cut_sheet(self));
-        list.extend(marks(self));
+        list.extend(marks(self, reader));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);
         }
         if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
-            list.extend(fast(self, spec));
-            list.push(generic(self, spec));
+            list.extend(fast(self, reader));
+            list.push(generic(self, reader));
             return unique(list);
         }
-        list.extend(laser(self, spec));
-        list.extend(speed(self, spec));
+        list.extend(laser(self, reader));
+        list.extend(speed(self, reader));
         let requires = self.machine.script.requires.iter();
         list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
         list.extend(version(self));
@@ -110,16 +110,17 @@ fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
 }
 
 /// What protects from a laser, the settings that its programs rely on, and the test of its power.
-fn laser(forecast: &Forecast, path: &str) -> Vec<Precaution> {
+fn laser(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
     let controller = &forecast.machine.controller;
     let Some(drive) = controller.laser else { return Vec::new() };
     let safety = LASER_SAFETY.map(|text| Precaution::new(PrecautionCode::LaserSafety, text.to_owned()));
     let settings = laser_settings(controller, drive);
     let settings = settings.map(|text| Precaution::new(PrecautionCode::MachineRequires, text));
     let peel = format!(
-        "only a peel test shows whether {} at {} seals this fabric: `stargrip-cam coupon {path}` writes one",
+        "only a peel test shows whether {} at {} seals this fabric: {} writes one",
         forecast.spec.seal.heat_in_words(),
-        forecast.spec.seal.speed
+        forecast.spec.seal.speed,
+        reader.coupons()
     );
     let peel = Precaution::new(PrecautionCode::LaserSafety, peel);
     safety.into_iter().chain(settings).chain([peel]).collect()
@@ -158,11 +159,12 @@ fn is_unknown(machine: &Machine) -> bool {
 }
 
 /// The list of missing checks on an unknown machine.
-fn generic(forecast: &Forecast, path: &str) -> Precaution {
+fn generic(forecast: &Forecast, reader: Reader<'_>) -> Precaution {
     let text = format!(
         "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], \
-         or time the program that `stargrip-cam feedcheck {path}` writes",
-        forecast.machine.name
+         or time the program that {} writes",
+        forecast.machine.name,
+        reader.feed_check()
     );
     Precaution::new(PrecautionCode::GenericMachine, text)
 }
@@ -252,21 +254,26 @@ fn cut_sheet(forecast: &Forecast) -> Option<Precaution> {
 }
 
 /// The places of the marks above which programs stop.
-fn marks(forecast: &Forecast) -> Vec<Precaution> {
+fn marks(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
     let sheets = forecast.design.sheets.iter().filter(|_| forecast.spec.machine.marks == Marks::Pause);
     let text = |sheet: &SheetLayout| {
         let [a, b] = forecast.design.marks(sheet.index)?;
         Some(format!(
             "trace and seal stop above two marks of sheet {}, X{:.2} Y{:.2} and X{:.2} Y{:.2}: mark the sheet there; if it is moved later, \
-             `align` takes where they lie then",
-            sheet.index, a.x, a.y, b.x, b.y
+             {} takes where they lie then",
+            sheet.index,
+            a.x,
+            a.y,
+            b.x,
+            b.y,
+            reader.align()
         ))
     };
     sheets.filter_map(text).map(|text| Precaution::new(PrecautionCode::SheetMarks, text)).collect()
 }
 
 /// The warning that the strength of the seal is unknown.
-fn strength(forecast: &Forecast) -> Option<Precaution> {
+fn strength(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
     let _ = forecast.spec.load.as_ref()?.pressure?;
     if forecast.spec.fabric.seal_strength.is_some() {
         return None;
@@ -280,18 +287,19 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     });
     let largest = loads.map(|load| load.0).chain(chamber_loads).reduce(f64::max)?;
     let text = format!(
-        "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",
-        rounded(largest)
+        "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours ({}) and set `seal_strength` in [fabric]",
+        rounded(largest),
+        reader.coupon()
     );
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))
 }
 
 /// Whether the machine can move as slowly as the program requires, and whether a fast seal is tested.
-fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
+fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
     // A chopped seal rests on the controller's acceleration, and a slow one on its lowest feed. Neither can be known
     // from here, so the precaution names the program that measures it.
     let Forecast { spec, machine, .. } = forecast;
-    let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {path}`"));
+    let speed = spec.seal.speed;
     let slow = match pace(forecast) {
         Some(Pace::Chopped(chop)) => Some((
             PrecautionCode::ChoppedSeal,
@@ -304,7 +312,7 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
                 machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
                     format!(" and at least {x} (X) and {y} (Y) steps/mm")
                 }),
-                command("feedcheck")
+                reader.feed_check()
             ),
         )),
         _ if machine.motion.speed_range().is_none() && speed < SLOW => Some((
@@ -312,21 +320,22 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
             format!(
                 "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
              without reporting it: time the program that {} writes",
-                command("feedcheck")
+                reader.feed_check()
             ),
         )),
         _ => None,
     };
     let slow = slow.map(|(code, text)| Precaution::new(code, text));
-    slow.into_iter().chain(fast(forecast, path)).collect()
+    slow.into_iter().chain(fast(forecast, reader)).collect()
 }
 
 /// The warning that such a fast seal is untested.
-fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
+fn fast(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
     let speed = forecast.spec.seal.speed;
     let text = format!(
         "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
-         `stargrip-cam coupon {path}` writes one"
+         {} writes one",
+        reader.coupons()
     );
     // A laser is as fast as its power allows: the note on its power says that it needs a test.
     (speed > FAST && forecast.spec.seal.power.is_none())

@@ -32,7 +32,7 @@ impl fmt::Display for AlignedFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotABuild(fault) => {
-                write!(f, "this is not a build as `build` of this version publishes it: {fault}")
+                write!(f, "this is not a build as this version publishes it: {fault}")
             }
             Self::Twice => {
                 f.write_str("its sheet was aligned already: align the build from which it was made")

@@ -1,6 +1,6 @@
 //! Seams of several strengths: whether the weak one opens first.
 
-use crate::pipeline::Forecast;
+use crate::pipeline::{Forecast, Reader};
 use program::plan::distinct_processes;
 use spec::SealProcess;
 use spec::units::LineForce;
@@ -9,7 +9,7 @@ use spec::units::LineForce;
 const WEAK: [&str; 3] = ["weak", "tear", "peel"];
 
 /// The notes on the processes of the seams of `forecast`: which is the weakest, and which should be but is not.
-pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
+pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<String> {
     let spec = &forecast.spec;
     let processes = distinct_processes(&forecast.programs);
     if processes.len() < 2 {
@@ -30,7 +30,7 @@ pub(super) fn weak_processes(forecast: &Forecast) -> Vec<String> {
         (Some((weakest, strength)), None) => texts.push(format!(
             "process {} is the weakest, {strength}: its seams open first unless others are pulled harder; {}",
             weakest.name,
-            if spec.has_stars() { "`check` lists the pull on both loops" } else { forecast::drawn::HOW }
+            if spec.has_stars() { reader.pulls() } else { reader.shell() }
         )),
         _ => {}
     }
@@ -76,7 +76,7 @@ mod tests {
         );
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
         let forecast = Forecast::new(reading.spec, Machine::builtin("generic").expect("built in"));
-        weak_processes(&forecast.expect("a design"))
+        weak_processes(&forecast.expect("a design"), Reader::Command("x.toml"))
     }
 
     #[test]

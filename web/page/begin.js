@@ -1,5 +1,5 @@
 // The beginning: from an object to a spec, from a shipped design, from one of the last specs.
-import { byId, element, readable, shape } from "./dom.js";
+import { byId, element, prose, readable, shape } from "./dom.js";
 import { shelf } from "./store.js";
 
 const objectForm = () => byId("object-form");
@@ -30,7 +30,7 @@ function result({ fields, reasons, nearest, in_words: words, wrong }) {
             return element("p", { className: "why" }, `${name}: ${found}`);
         });
     }
-    if (words) return words.trim().split("\n").map((line) => element("p", {}, readable(line.trim())));
+    if (words) return words.trim().split("\n").map((line) => element("p", {}, ...prose(readable(line.trim()))));
     const list = [element("p", { className: "why" }, "No gripper was found for these requirements:"), element("ul", {}, ...reasons.map((text) => element("li", {}, text)))];
     if (nearest) {
         const values = Object.entries(nearest).filter(([, value]) => value !== null);

@@ -28,15 +28,21 @@ export function processNames(settings) {
     return [...new Set(sections)].map((section) => section.slice("process.".length));
 }
 
+/** A text of the program, in which code is in backticks, as children of an element. */
+export const marked = (text) => text.split("`").map((part, index) => (index % 2 ? element("code", {}, part) : part));
+
+/** The same for a text that begins as a sentence does, unless with a name. */
+export const prose = (text) => marked(/^[a-z]+(?![\w\u0060])/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text);
+
 /** Seconds as "2 h 16 min". */
 export function hours(seconds) {
     const minutes = Math.round(seconds / 60), rest = minutes % 60;
     return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${String(rest).padStart(2, "0")} min`;
 }
 
-/** The program's words as the page shows them: without marks of code, "×" between sides, and a range in parentheses: "85 N (72 to 101)". */
+/** The program's words as the page shows them: "×" between sides, and a range in parentheses: "85 N (72 to 101)". */
 export function readable(text) {
-    const ranged = text.replaceAll("`", "").replace(/(\d) x (?=\d)/g, "$1 × ").replace(/(\d(?: [a-zA-Z]+)?), ([\d.]+ to [\d.]+)/g, (words, value, range, index, whole) => {
+    const ranged = text.replace(/(\d) x (?=\d)/g, "$1 × ").replace(/(\d(?: [a-zA-Z]+)?), ([\d.]+ to [\d.]+)/g, (words, value, range, index, whole) => {
         const before = whole.slice(0, index);
         return before.lastIndexOf("(") > before.lastIndexOf(")") ? words : `${value} (${range})`;
     });

@@ -1,5 +1,5 @@
 // The text of the spec: an ordinary text field, above a copy that carries line numbers and the marks of faults. The desk undoes, not the browser.
-import { byId, element } from "./dom.js";
+import { byId, element, prose } from "./dom.js";
 
 export class Editor {
     #area = byId("spec");
@@ -90,7 +90,7 @@ export class Editor {
         const copy = shown && byId("mirror").children[shown.line - 1];
         if (!copy) return;
         const text = [shown.found, shown.allowed, shown.remedy].filter(Boolean).join("; ");
-        const box = element("div", { className: shown.warning ? "callout warning" : "callout", "aria-hidden": "true" }, text);
+        const box = element("div", { className: shown.warning ? "callout warning" : "callout", "aria-hidden": "true" }, ...prose(text));
         box.style.top = `${copy.offsetTop + copy.offsetHeight}px`;
         byId("callouts").append(box);
     }
@@ -99,9 +99,9 @@ export class Editor {
     #entry(fault) {
         const { code, found, allowed, remedy, line, column, place, warning, file } = fault;
         const where = place ? element("button", { type: "button", className: "plain", onclick: () => this.go(place) }, `line ${line}, column ${column}`) : file ?? "";
-        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, found), " "));
+        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, ...prose(found)), " "));
         entry.firstChild.append(element("button", { type: "button", className: "plain", "aria-label": `explain ${code}`, onclick: ({ target }) => this.#meaning(target, code) }, code));
-        for (const text of [allowed, remedy]) if (text) entry.append(element("p", {}, text));
+        for (const text of [allowed, remedy]) if (text) entry.append(element("p", {}, ...prose(text)));
         return entry;
     }
 

@@ -1,5 +1,5 @@
 // The first fault, at the picture: what is wrong, what may be done, and a button for a remedy that was tried and helps.
-import { byId, element } from "./dom.js";
+import { byId, element, prose } from "./dom.js";
 
 const LIKELY = /did you mean (["\u0060])(.+?)\1/;
 /** A whole number of a text, never a part of it; its unit; and where both end. */
@@ -116,8 +116,8 @@ export class FaultBox {
             };
             buttons.append(element("button", { type: "button", id: "fault-next", onclick: next }, `${this.#index + 1} of ${count}: next`));
         }
-        const why = [fault.allowed, fault.remedy].filter(Boolean).map((words) => element("p", { className: "why" }, words));
-        byId("fault").replaceChildren(element("p", {}, element("strong", {}, fault.found)), ...why, buttons);
+        const why = [fault.allowed, fault.remedy].filter(Boolean).map((words) => element("p", { className: "why" }, ...prose(words)));
+        byId("fault").replaceChildren(element("p", {}, element("strong", {}, ...prose(fault.found))), ...why, buttons);
         this.#offer(fault, buttons).catch(() => {}); // another text came
     }
 

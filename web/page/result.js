@@ -1,5 +1,5 @@
 // The program's answer about the present spec in words: verdict, numbers, precautions; and the files of a proven build.
-import { byId, element, hours, readable } from "./dom.js";
+import { byId, element, hours, marked, prose, readable } from "./dom.js";
 import { zipped } from "./zip.js";
 
 /** Time for which a saved or printed file stays available, ms. */
@@ -51,12 +51,23 @@ export class Result {
         });
     }
 
+    /** Saves the program that times the machine, where `ask()` makes it, and tells what to look at. */
+    listenFeedCheck(ask) {
+        byId("feed-check").addEventListener("click", async () => {
+            const answer = await ask();
+            if (!answer) return;
+            const { task, reason, faults, files } = answer;
+            byId("feed-note").replaceChildren(...prose(task ?? reason ?? faults[0].found));
+            if (task) save("feedcheck.zip", zipped("feedcheck", files));
+        });
+    }
+
     /** Disables downloads until the present text is proven. */
     withdraw() {
         this.#files = [];
         byId("zip").disabled = byId("moved").hidden = true;
         byId("files").inert = true;
-        byId("proof").textContent = "";
+        byId("proof").textContent = byId("feed-note").textContent = "";
     }
 
     /** Shows an answer: verdict and numbers; without an overview the spec is refused. */
@@ -70,13 +81,14 @@ export class Result {
         }
         const { tone, in_words: words } = overview.verdict;
         const [headline, ...rest] = words.split("; ");
-        this.#verdict(tone, readable(headline.charAt(0).toUpperCase() + headline.slice(1)), readable(rest.join("; ")));
+        this.#verdict(tone, readable(headline), readable(rest.join("; ")));
         this.#rows(overview);
-        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, readable(text))));
+        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, ...prose(readable(text)))));
+        byId("feed-check").hidden = Boolean(overview.press);
         byId("before").hidden = overview.before_you_seal.length === 0;
         byId("pressing").hidden = !overview.press;
         const steps = overview.press?.instructions ?? [];
-        byId("steps").replaceChildren(...steps.flatMap(({ heading, lines }) => [element("h3", {}, heading), element("ol", {}, ...lines.map((line) => element("li", {}, readable(line))))]));
+        byId("steps").replaceChildren(...steps.flatMap(({ heading, lines }) => [element("h3", {}, heading), element("ol", {}, ...lines.map((line) => element("li", {}, ...prose(readable(line)))))]));
         const isDrawn = overview.stars === 0;
         byId("shell-box").hidden = !isDrawn || !overview.prediction;
     }
@@ -84,14 +96,17 @@ export class Result {
     #verdict(tone, headline, rest) {
         const verdict = byId("verdict");
         verdict.className = tone;
-        verdict.replaceChildren(headline, ...(rest ? [element("span", {}, rest)] : []));
+        verdict.replaceChildren(...prose(headline), ...(rest ? [element("span", {}, ...prose(rest))] : []));
     }
 
     #rows({ rows, sealing_time_s, sheets_mm, press }) {
         const sheets = sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" × ")).join(", ");
-        const sealing = press ? ["pressing", `${press.pressings === 1 ? "once" : `${press.pressings} times`}, ${press.settings}`] : ["sealing takes", `${hours(sealing_time_s)}, without heating and pauses`];
+        const sealing = press ? ["pressing", `${press.pressings === 1 ? "once" : `${press.pressings} times`}, ${press.settings}`] : ["sealing takes", `${hours(sealing_time_s)}; without heating and pauses`];
         const all = [...rows, sealing, [sheets_mm.length > 1 ? "sheets" : "sheet", `${sheets} mm`]];
-        byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, readable(text))]));
+        byId("rows").replaceChildren(...all.flatMap(([label, text]) => {
+            const [value, ...rest] = readable(text).split("; ");
+            return [element("dt", {}, label), element("dd", {}, ...marked(value), ...(rest.length ? [element("span", { className: "soft" }, ...prose(rest.join("; ")))] : []))];
+        }));
     }
 
     /** Offers the files of a proven build; `isWanted`: also those of a spec that fails its own load. */

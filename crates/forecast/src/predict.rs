@@ -345,7 +345,7 @@ impl PlacedCase<'_> {
                     .collect();
                 (!wide.is_empty()).then(|| {
                     let text = format!(
-                        "{}, more than the accepted {accepted}: `predict` with the accuracy \"{accepted}\" looks for a model with less",
+                        "{}, more than the accepted {accepted}: another `model` in [accuracy] may be off by less",
                         wide.join(", ")
                     );
                     text.into()

@@ -90,7 +90,7 @@ fn without_power(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         let message = format!("the machine {} is a laser, and [seal] has no `power`", quoted(profile));
         let fault = Fault::error(FaultCode::MissingKey, raw.span_of(key::machine::PROFILE), message)
             .label("a laser seals by `power` and `speed`");
-        let help = "write power = \"10 %\" and `tip`, the width of the spot, into [seal]; `coupon` finds the power of your fabric";
+        let help = "write power = \"10 %\" and `tip`, the width of the spot, into [seal]; a coupon finds the power of your fabric";
         return vec![fault.help(help)];
     }
     let focus = place_of(raw, "seal", "focus").map(|place| ("seal".to_owned(), "focus", place));

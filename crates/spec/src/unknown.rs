@@ -147,7 +147,11 @@ fn star_size_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<S
             let flap = "the hole is narrower than inner_radius by the band and its `hole_allowance`";
             let radius = match &value.kind {
                 RawKind::Text(text) => Length::parse(text).ok(),
-                RawKind::Number(_) | RawKind::Truth(_) | RawKind::Date | RawKind::List(_) | RawKind::Table(_) => None,
+                RawKind::Number(_)
+                | RawKind::Truth(_)
+                | RawKind::Date
+                | RawKind::List(_)
+                | RawKind::Table(_) => None,
             };
             let radius = radius.map(|length| Length(part * length.0 + DEFAULT_FLAP));
             Some(radius.map_or_else(
@@ -156,7 +160,7 @@ fn star_size_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<S
             ))
         }
         "outer" => Some(
-            "no key sets the outer size: it follows from inner_radius, points, tube_width and tip_angle, and `check` prints it"
+            "no key sets the outer size: it follows from inner_radius, points, tube_width and tip_angle"
                 .to_owned(),
         ),
         _ => None,

@@ -34,8 +34,11 @@ pub use inflatable::shell::cases::{Surface, Watch};
 /// Name of the absent model: only flat quantities are predicted.
 pub const NONE: &str = "none";
 
-/// How to select the shell, in terms of commands and specs.
-pub const HOW: &str = "run `predict`, or set `model = \"shell\"` in [accuracy] for `check` and `build`";
+/// How to have the shell computed, in terms of a spec.
+pub const HOW: &str = "set `model = \"shell\"` in [accuracy]";
+/// How to have it computed once, or always, in terms of commands.
+pub const HOW_BY_COMMANDS: &str =
+    "run `predict`, or set `model = \"shell\"` in [accuracy] for `check` and `build`";
 
 /// A drawn piece under pressure.
 #[derive(Clone, Debug, PartialEq)]
@@ -258,7 +261,7 @@ fn flat(spec: &Spec, pieces: &DrawnPieces, case: &DrawnCase) -> DrawnPrediction 
     let load = loaded(spec);
     let choice = match load {
         None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
-        Some(_) => format!("not computed here (takes seconds to minutes); {HOW}"),
+        Some(_) => format!("not computed here (takes seconds to minutes); {HOW_BY_COMMANDS}"),
     };
     let chambers = case.chambers.iter().enumerate().map(|(number, chamber)| {
         let highest = case.pressures.get(number).map(|pressure| pressure.highest);

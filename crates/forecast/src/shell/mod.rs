@@ -66,14 +66,14 @@ fn flat_star(case: &Case, weave: Weave, pressure: f64) -> FlatStar {
     }
 }
 
-/// The command that computes the star of `case`, of fabric with the weave `weave`, as a shell, and the time that it takes; `None` where
+/// The model that computes the star of `case`, of fabric with the weave `weave`, as a shell, and the time that it takes; `None` where
 /// shells do not cover the star.
 pub(crate) fn by_shell(case: &Case, weave: Weave) -> Option<String> {
     let star = flat_star(case, weave, case.pressure?);
     if star.points > MOST_POINTS || !star.is_symmetric() || star.check().is_err() {
         return None;
     }
-    let text = "the shell covers this star: `predict` with the model \"shell\" and coarse meshes computes it in 1 to 10 s";
+    let text = "the model \"shell\" covers this star, and takes 1 to 10 s on coarse meshes";
     Some(text.to_owned())
 }
 

@@ -59,7 +59,7 @@ pub struct UnservedMachine {
 pub const UNSERVED_MACHINES: [UnservedMachine; 6] = [
     UnservedMachine {
         names: "Mach3, Mach4, UCCNC, PlanetCNC, Estlcam, Smoothieware, TinyG, g2core",
-        remedy: "they read G-code: profile \"generic\", and `feedcheck` before anything else",
+        remedy: "they read G-code: profile \"generic\", and a feed check before anything else",
         beginnings: &["mach3", "mach4", "uccnc", "planetcnc", "estlcam", "smoothie", "tinyg", "g2core"],
     },
     UnservedMachine {

@@ -131,7 +131,7 @@ fn read_command(
     if is_plain(line) && !line.trim().is_empty() && line_effect.is_none() {
         let message = format!("a line of `{key}` is {}", quoted(line));
         let may = format!(
-            "must be one of {}: `verify` knows what these do, and proves every line of a program",
+            "must be one of {}: every line of a program is proven, which needs to know what it does",
             allowed(part, vocabulary)
         );
         let remedy = if line.contains([';', '(']) {

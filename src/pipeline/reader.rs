@@ -1,0 +1,60 @@
+//! Who reads precautions: each interface has its own names for the tests and steps of the program.
+
+/// Where precautions are read: how the tests and steps are called there to which they refer.
+#[derive(Clone, Copy, Debug)]
+pub enum Reader<'a> {
+    /// On a terminal or beside the files, with the path of the spec, quoted for a shell.
+    Command(&'a str),
+    /// In the page, which has buttons, and no coupons.
+    Page,
+}
+
+impl Reader<'_> {
+    /// What writes a feed check.
+    pub(super) fn feed_check(self) -> String {
+        match self {
+            Self::Command(spec) => format!("`stargrip-cam feedcheck {spec}`"),
+            Self::Page => "“Feed check”".to_owned(),
+        }
+    }
+
+    /// What writes coupons.
+    pub(super) fn coupons(self) -> String {
+        match self {
+            Self::Command(spec) => format!("`stargrip-cam coupon {spec}`"),
+            Self::Page => "the command `stargrip-cam coupon`".to_owned(),
+        }
+    }
+
+    /// What measures the strength of a seal.
+    pub(super) fn coupon(self) -> &'static str {
+        match self {
+            Self::Command(_) => "`coupon`",
+            Self::Page => "coupon",
+        }
+    }
+
+    /// What writes the programs for a sheet that was moved.
+    pub(super) fn align(self) -> &'static str {
+        match self {
+            Self::Command(_) => "`align`",
+            Self::Page => "“The sheet was moved”",
+        }
+    }
+
+    /// Where the pull on the seams of a star is listed.
+    pub(super) fn pulls(self) -> &'static str {
+        match self {
+            Self::Command(_) => "`check` lists the pull on both loops",
+            Self::Page => "the report lists the pull on both loops",
+        }
+    }
+
+    /// What computes a drawing under pressure.
+    pub(super) fn shell(self) -> &'static str {
+        match self {
+            Self::Command(_) => forecast::drawn::HOW_BY_COMMANDS,
+            Self::Page => "“Inflate it” computes the pull",
+        }
+    }
+}
