@@ -19,7 +19,7 @@ const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabr
 /** The sections that have a place here; others of the schema come behind them. */
 const PLACED = Object.values(PRODUCTS).flatMap(({ groups }) => groups);
 /** The profile among the values: whatever is no press has an iron, the machine of which has a choice of its own above. */
-const SEALED_BY = { words: "sealed by", choices: [["", "iron"], ["press", "heat press, with paper between"]] };
+const SEALED_BY = { words: "sealed by", choices: [["", "iron"], ["press", "heat press"]] };
 
 export class Form {
     #schema;
