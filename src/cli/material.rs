@@ -69,7 +69,8 @@ pub(super) fn material(name: &str) -> Result<Source, Failure> {
     if let Some(text) = spec::builtin_material(name) {
         return Ok(Source::new(format!("the fabric {name} of this program"), text));
     }
-    if path.exists() { read_source(path) } else { Err(Failure::Message(unknown(name))) }
+    let is_file = path.exists() && !path.is_dir();
+    if is_file { read_source(path) } else { Err(Failure::Message(unknown(name))) }
 }
 
 /// The folder of the user's own materials.

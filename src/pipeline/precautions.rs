@@ -8,7 +8,7 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::{LASER_SAFETY, Pace, Program, laser_settings, other_version};
+use program::plan::{Chop, LASER_SAFETY, Pace, Program, laser_settings, other_version};
 use spec::units::{Readable, Speed};
 use spec::{CutTool, Machine, Marks, SealingTool};
 
@@ -18,6 +18,9 @@ const SLOW: Speed = Speed(5.0);
 
 /// Ten times the seal speed of the paper, 0.1 mm/s; a faster seal gets a warning.
 const FAST: Speed = Speed(1.0);
+
+/// Tolerance of the mean speed, relative.
+const MEAN: f64 = 0.002;
 
 /// The profile for an unknown machine.
 const UNKNOWN: &str = "generic";
@@ -294,6 +297,15 @@ fn strength(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))
 }
 
+/// The difference of a chopped seal's mean speed by what else Marlin does, in words; empty where it is within the tolerance.
+fn slow_display(chop: &Chop, speed: Speed) -> String {
+    let error = chop.dwell_error(speed.0).filter(|error| *error > MEAN);
+    error.map_or(String::new(), |error| {
+        let percent = Readable((1e3 * error).ceil() / 10.0);
+        format!(", and may be up to {percent} % off, slower with a slow display")
+    })
+}
+
 /// Whether the machine can move as slowly as the program requires, and whether a fast seal is tested.
 fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
     // A chopped seal rests on the controller's acceleration, and a slow one on its lowest feed. Neither can be known
@@ -305,13 +317,14 @@ fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
             PrecautionCode::ChoppedSeal,
             format!(
                 "the seal's speed is an average of dwells and strokes of at most {} mm at {} mm/s: this assumes \
-             an acceleration of {} mm/s^2{}; time the program that {} writes",
+             an acceleration of {} mm/s^2{}{}; time the program that {} writes",
                 Readable(chop.longest),
                 rounded(chop.speed),
                 Readable(chop.acceleration),
                 machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
                     format!(" and at least {x} (X) and {y} (Y) steps/mm")
                 }),
+                slow_display(&chop, speed),
                 reader.feed_check()
             ),
         )),

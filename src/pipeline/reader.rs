@@ -50,6 +50,14 @@ impl Reader<'_> {
         }
     }
 
+    /// What lists the pull on the seams of an inflated drawing.
+    pub(super) fn drawn_pulls(self) -> &'static str {
+        match self {
+            Self::Command(_) => "`predict`",
+            Self::Page => "the report",
+        }
+    }
+
     /// What computes a drawing under pressure.
     pub(super) fn shell(self) -> &'static str {
         match self {

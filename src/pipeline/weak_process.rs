@@ -10,7 +10,6 @@ const WEAK: [&str; 3] = ["weak", "tear", "peel"];
 
 /// The notes on the processes of the seams of `forecast`: which is the weakest, and which should be but is not.
 pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<String> {
-    let spec = &forecast.spec;
     let processes = distinct_processes(&forecast.programs);
     if processes.len() < 2 {
         return Vec::new();
@@ -30,11 +29,25 @@ pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<Str
         (Some((weakest, strength)), None) => texts.push(format!(
             "process {} is the weakest, {strength}: its seams open first unless others are pulled harder; {}",
             weakest.name,
-            if spec.has_stars() { reader.pulls() } else { reader.shell() }
+            pull_of_each(forecast, reader)
         )),
         _ => {}
     }
     texts
+}
+
+/// The way to the pull on each seam.
+fn pull_of_each(forecast: &Forecast, reader: Reader<'_>) -> String {
+    let Some(drawn) = &forecast.drawn else { return reader.pulls().to_owned() };
+    if drawn.prediction.chambers.iter().any(|chamber| chamber.seams.is_some()) {
+        // The shell was computed, but its wrinkles were averaged: folds may pull harder.
+        let list = reader.drawn_pulls();
+        format!(
+            "{list} lists the largest pull on each seam, but no burst pressure: which opens first is unknown"
+        )
+    } else {
+        reader.shell().to_owned()
+    }
 }
 
 fn is_weak(process: &SealProcess) -> bool {

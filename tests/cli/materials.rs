@@ -64,6 +64,7 @@ fn an_unknown_fabric_is_answered_with_the_list() {
         ("leather", "there are: paper, ripstop"),
         ("ripstop", "unknown-key"),
         ("no/such.toml", "cannot read no/such.toml"),
+        (".", "no fabric and no file is called .; there are: paper, ripstop"),
     ] {
         let output = run_with_settings(dir.path(), &["check", "star.toml", "--fabric", fabric]);
         assert_eq!(output.status.code(), Some(1), "{fabric}");

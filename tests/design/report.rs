@@ -5,7 +5,7 @@ use serde_json::Value;
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::forecast::charts::{AtRadius, charts};
 use stargrip_cam::geom::Point;
-use stargrip_cam::pipeline::{self, Built, Sources};
+use stargrip_cam::pipeline::{self, Built, Reader, Sources};
 
 use crate::readers::html::read_html;
 
@@ -112,7 +112,7 @@ fn it_warns_of_what_check_warns_of() {
     let watch = block_of(&page(&gripper))["watch"].clone();
     let warnings: Vec<Value> = gripper
         .forecast
-        .precautions("spec.toml")
+        .precautions(Reader::Command("spec.toml"))
         .iter()
         .map(|one| serde_json::json!({ "code": one.code.to_string(), "text": one.text }))
         .collect();

@@ -9,6 +9,7 @@ mod danger;
 mod dangerous_lines;
 mod dialects;
 mod drawings;
+mod every_machine;
 mod faults;
 mod job_size;
 mod laser;

@@ -111,7 +111,7 @@ const ROWS: &[LineRow] = &[
         "ender",
         Place::Contact,
         "profile-line",
-        &["G29", "G80", "M420 S1", "M211 S0", "M107", "M17", "M220 S100", "G91", "M205 S50", "M0"],
+        &["G29", "M420 S1", "M211 S0", "M107", "M17", "M220 S100", "G91", "M205 S50", "M0"],
     ),
     ("ender", Place::Contact, "feed-override", &["M220 S50", "M220 S200", "M220 S0"]),
     ("ender", Place::Contact, "hot-bed", &["M140 S120", "M190 S120", "M190 S61", "M141 S80", "M191 S80"]),
@@ -124,7 +124,7 @@ const ROWS: &[LineRow] = &[
     ("ender", Place::Contact, "iron-at-rest", &["G4 P60000", "M0"]),
     ("ender", Place::Contact, "too-deep", &["G1 Z-5 F600"]),
     ("ender", Place::Contact, "after-end", &["M84"]),
-    ("ender", Place::First, "unhomed-axis", &["G29", "M420 S1", "G80", "G28 X Y\nG29"]),
+    ("ender", Place::First, "unhomed-axis", &["G29", "M420 S1", "G28 X Y\nG29"]),
     ("ender", Place::Head, "blind-move", &["G0 Z-5 F1200", "G0 X50 Y50 F1200", "G1 Z31 F1200"]),
     ("ender", Place::Head, "stray-heat", &["M104 S250", "M109 S250"]),
     ("ender", Place::Head, "hot-bed", &["M140 S40", "M190 S100"]),
@@ -179,7 +179,7 @@ const ROWS: &[LineRow] = &[
         "prusa",
         Place::Contact,
         "unknown-word",
-        &["M601", "M602", "M900 K0.05", "M572 S0.05", "G64", "M486 S-1"],
+        &["G80", "M601", "M602", "M900 K0.05", "M572 S0.05", "G64", "M486 S-1"],
     ),
     // Words of more than a letter that no program needs.
     (

@@ -1,7 +1,7 @@
 //! Service lines of printers: they home, level, warm and reset the machine before the first move of a program.
 //!
 //! A row of a table is a line with the controllers that read it. A value follows where the row ends in `=` or in a letter. Sources:
-//! Marlin, marlinfw.org/docs/gcode; Prusa-Firmware, `Marlin_main.cpp` (G28 W, G80); Klipper, docs/G-Codes.md; RepRapFirmware,
+//! Marlin, marlinfw.org/docs/gcode; Prusa-Firmware, `Marlin_main.cpp` (G28 W); Klipper, docs/G-Codes.md; RepRapFirmware,
 //! docs.duet3d.com; Bambu, `resources/profiles/BBL/machine` of the repository bambulab/BambuStudio.
 
 use self::Argument as F;
@@ -100,9 +100,9 @@ const FIRMWARE: [ServiceRow; 4] = [
     ("M17", F::Whole(Service::MotorsOn)),
     ("G29", LEVEL),
 ];
-/// Marlin; G28 W and G80 are those of Prusa's AVR boards: home without levelling, and level.
-const MARLIN: [ServiceRow; 4] =
-    [("G28 W", ALL_AXES), ("G80", LEVEL), ("M420 S1", LEVEL), ("M211 S0", ENDSTOPS_OFF)];
+/// Marlin; G28 W of Prusa's AVR boards homes without levelling. Their G80 levels, too, but on later boards it also retracts and feeds
+/// filament (Prusa-Firmware-Buddy, gcode/calibrate/G80.cpp), so it is unknown.
+const MARLIN: [ServiceRow; 3] = [("G28 W", ALL_AXES), ("M420 S1", LEVEL), ("M211 S0", ENDSTOPS_OFF)];
 /// Klipper. Its `position_min` is a setting, which no line turns off.
 const KLIPPER: [ServiceRow; 2] =
     [("BED_MESH_CALIBRATE", LEVEL), ("BED_MESH_PROFILE LOAD=", F::Named(Service::Level))];

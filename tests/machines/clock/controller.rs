@@ -4,7 +4,7 @@ use stargrip_cam::spec::{Dialect, DialectFamily};
 
 use super::grbl::Grbl;
 use super::legs::{Reading, Task, tasks};
-use super::marlin::{Marlin, Version};
+use super::marlin::{IDLE_TIMES, Marlin, Version};
 use super::sweep::{Corner, Sweep};
 use super::text::Text;
 use super::timer::Timer;
@@ -42,9 +42,10 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
         Dialect::Grbl => grbl(Timer::Avr, motors).run(&tasks, &mut track),
         Dialect::GrblHal => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
         Dialect::FluidNc => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
-        // feature/precise_stepping: speeds as they are; its corners are assumed to be Klipper's.
+        // feature/precise_stepping: speeds as they are; Configuration_MK4.h: CLASSIC_JERK, DEFAULT_MAX_ACCELERATION.
         Dialect::Marlin if name == "prusa" => {
-            sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track);
+            let mk4 = sweep(motors, Corner::Jerk([8.0, 8.0, 2.0]), 1e-3);
+            Sweep { z_acceleration: 200.0, ..mk4 }.run(&tasks, &mut track);
         }
         Dialect::Marlin if name == "ender" => ender(motors, Version::Two).run(&tasks, &mut track),
         Dialect::Marlin => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
@@ -60,12 +61,6 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
         Dialect::LinuxCnc => sweep(motors, Corner::Stop, 1.0).run(&tasks, &mut track),
     }
     track
-}
-
-/// The part of a stroke's time by which the dwell after it ends early on the controller of `dialect`, at `speed` mm/s.
-pub(crate) fn dwell_loss(dialect: &str, text: &Text, speed: f64) -> f64 {
-    let stroke = text.fact("chop.longest_mm").filter(|_| dialect == "marlin");
-    stroke.map_or(0.0, |stroke| super::marlin::EARLY * speed / stroke)
 }
 
 /// A board for Marlin: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.
@@ -137,6 +132,7 @@ fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
         speed: [TRAVEL; 3],
         lowest_rate,
         version,
+        idle: IDLE_TIMES[1],
         s_curve: false,
     }
 }
@@ -147,14 +143,15 @@ pub(crate) fn ender(motors: Motors, version: Version) -> Marlin {
     Marlin { z_acceleration: 100.0, speed: [500.0, 500.0, 5.0], s_curve: true, ..board }
 }
 
-/// The track of a program on an Ender-3 with another version.
-pub(crate) fn run_ender(text: &Text, motors: Motors, version: Version) -> Track {
+/// The track of a program on an Ender-3 with another version, where a call of `idle()` takes `idle`, s.
+pub(crate) fn run_ender(text: &Text, motors: Motors, version: Version, idle: f64) -> Track {
     let mut track = Track::default();
-    ender(motors, version).run(&tasks(text, &reading(Dialect::Marlin)), &mut track);
+    Marlin { idle, ..ender(motors, version) }.run(&tasks(text, &reading(Dialect::Marlin)), &mut track);
     track
 }
 
 /// A controller that looks ahead, with the length of a unit of its dwells, s.
 fn sweep(motors: Motors, corner: Corner, dwell: f64) -> Sweep {
-    Sweep { acceleration: motors.acceleration, speed: [TRAVEL; 3], corner, dwell }
+    let Motors { acceleration, .. } = motors;
+    Sweep { acceleration, z_acceleration: acceleration, speed: [TRAVEL; 3], corner, dwell }
 }

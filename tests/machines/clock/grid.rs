@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::controller::{BOARDS, Board, Motors, dwell_loss, run, run_marlin};
-use super::judge::{Deviations, MEAN, deviations_within};
+use super::controller::{BOARDS, Board, Motors, run, run_marlin};
+use super::judge::{Deviations, deviations};
 use stargrip_cam::spec::Machine;
 
 use super::marlin::Version;
@@ -76,8 +76,7 @@ impl Worst {
             (_, Some(board)) => run_marlin(&text, motors, board),
             (dialect, None) => run(dialect, &text, motors),
         };
-        let tolerance = MEAN + dwell_loss(controller.0, &text, speed);
-        let (found, complaints) = deviations_within(tolerance, &text, &track, speed, motors.stop(speed));
+        let (found, complaints) = deviations(&text, &track, speed, motors.stop(speed));
         self.programs += 1;
         self.chopped += usize::from(code.contains("\nG4 "));
         let most = &mut self.most;

@@ -8,8 +8,13 @@ use super::track::Track;
 /// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: number of polls of an idle stepper, a millisecond each.
 const FIRST_MOVE: f64 = 0.1;
 /// gcode.cpp, `dwell`: `time += millis(); while (PENDING(millis(), time)) idle();`. A dwell of P ms begins within a millisecond of the clock and
-/// ends with one, so it takes P - 1 to P ms, half a millisecond less than P on average, s. The time of `idle()` is left out.
-pub(crate) const EARLY: f64 = 0.5e-3;
+/// ends with one, and the polls of the wait begin with the last step: together they take so much less on average, s.
+const EARLY: f64 = 1.25e-3;
+/// As often the time of `idle()` is added: at both ends of the dwell, and before the next line is read. The firmware's own code took this
+/// time for 0.03 to 1 ms (docs/testing.md).
+const IDLE_CALLS: f64 = 2.5;
+/// The times that a call of `idle()` takes, s: hardly any; as long as the plan counts with; on a board with a slow display.
+pub(crate) const IDLE_TIMES: [f64; 3] = [0.0, 0.5e-3, 1e-3];
 /// Number of blocks that end the wait early.
 const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.
@@ -44,6 +49,8 @@ pub(crate) struct Marlin {
     /// The lowest step rate, steps/s: 1 with 32 bits, 32 on an AVR.
     pub(crate) lowest_rate: f64,
     pub(crate) version: Version,
+    /// Time of a call of `idle()`, s.
+    pub(crate) idle: f64,
     /// S_CURVE_ACCELERATION.
     pub(crate) s_curve: bool,
 }
@@ -83,7 +90,7 @@ impl Marlin {
                 }
                 Task::Dwell(time) => {
                     self.flush(&mut queue, track);
-                    track.rest((time * 1e-3 - EARLY).max(0.0));
+                    track.rest((time * 1e-3 - EARLY + IDLE_CALLS * self.idle).max(0.0));
                 }
                 Task::Halt => {
                     self.flush(&mut queue, track);

@@ -24,17 +24,21 @@ pub(crate) mod text;
 mod timer;
 pub(crate) mod track;
 
+use stargrip_cam::plan::Chop;
 use stargrip_cam::resume::{ResumeAt, resume};
 use stargrip_cam::units::Speed;
 
 use self::controller::{BOARDS, Motors, run, run_ender, run_marlin};
-use self::judge::{OTHER_VERSION, deviations_within};
-use self::marlin::Version;
+use self::judge::{OTHER_VERSION, deviations, deviations_within};
+use self::marlin::{IDLE_TIMES, Version};
 use self::programs::{all_profiles, coupon_programs, feed_check, machine, machine_of_ender, seals, spec};
 use self::text::Text;
 
 /// Tolerance of the time of a resumed program, as a part of it.
 const RESUMED: f64 = 0.002;
+
+/// Tolerance of a mean speed beside the error of dwells: whole dwells and whole steps.
+const ROUNDING: f64 = 5e-4;
 
 const FIVE: &str = include_str!("../../../designs/paper-five-points.toml");
 const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
@@ -65,9 +69,7 @@ fn every_program_runs_as_its_controller_was_told() {
             let text = Text::read(&code);
             let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
             let track = run(dialect, &text, motors);
-            let tolerance = judge::MEAN + controller::dwell_loss(dialect, &text, speed);
-            let (deviation, complaints) =
-                deviations_within(tolerance, &text, &track, speed, motors.stop(speed));
+            let (deviation, complaints) = deviations(&text, &track, speed, motors.stop(speed));
             println!("{dialect} {name} {deviation:?}");
             assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
         }
@@ -109,21 +111,35 @@ fn traces_travel_and_do_not_crawl() {
     }
 }
 
-/// An Ender-3 with a version of Marlin that its profile states: slow and fast seals, with ramps and lifts of its slower Z.
+/// An Ender-3 with a version of Marlin that its profile states: slow and fast seals, with ramps and lifts of its slower Z, around sharp
+/// corners and round ones, with a display that takes hardly any time and with a slow one.
 #[test]
 fn an_ender_keeps_every_speed_on_the_version_of_its_profile() {
     let motors = own_motors("ender");
-    for version in [Version::Two, Version::Newest] {
+    // Faster, the iron would rest too long on small arcs.
+    for (design, version) in
+        [(FIVE, Version::Two), (FIVE, Version::Newest), (ROUND, Version::Two), (ROUND, Version::Newest)]
+    {
         let machine = machine_of_ender(motors, version);
         for speed in [0.1, 0.2, 0.5, 1.0] {
-            let mut star = spec("ender", FIVE);
+            let mut star = spec("ender", design);
             star.seal.speed = Speed(speed);
-            for (name, code) in seals(&star, &machine).0 {
-                let text = Text::read(&code);
-                let track = run_ender(&text, motors, version);
-                let (deviation, complaints) = deviations_within(judge::MEAN, &text, &track, speed, 0.0);
-                println!("{version:?} {name} {speed} mm/s {deviation:?}");
-                assert!(complaints.is_empty(), "{version:?} {name} {speed} mm/s: {complaints:?}");
+            let dwell_error = Chop::new(&star, &machine).and_then(|chop| chop.dwell_error(speed));
+            for ((name, code), idle) in
+                seals(&star, &machine).0.iter().flat_map(|program| IDLE_TIMES.map(|idle| (program, idle)))
+            {
+                let text = Text::read(code);
+                let track = run_ender(&text, motors, version, idle);
+                // A fast seal has strokes in which a millisecond is more than the tolerance; `check` says so. On arcs they are
+                // shorter than the longest.
+                let excess = if idle == IDLE_TIMES[1] { 0.0 } else { 1.2 * dwell_error.expect("Marlin") };
+                let tolerance = judge::MEAN.max(excess + ROUNDING);
+                let (deviation, complaints) = deviations_within(tolerance, &text, &track, speed, 0.0);
+                println!("{version:?} {name} {speed} mm/s, idle {idle} s: {deviation:?}");
+                assert!(
+                    complaints.is_empty(),
+                    "{version:?} {name} {speed} mm/s, idle {idle} s: {complaints:?}"
+                );
             }
         }
     }

@@ -14,7 +14,7 @@ pub(crate) enum Corner {
     Deviation(f64),
     /// Klipper's square corner velocity, mm/s.
     Square(f64),
-    /// Changes of the speed of the axes, mm/s (M566).
+    /// Changes of the speed of the axes, mm/s (M566; Prusa: CLASSIC_JERK).
     Jerk([f64; 3]),
 }
 
@@ -23,6 +23,8 @@ pub(crate) enum Corner {
 pub(crate) struct Sweep {
     /// Acceleration: of each axis for RepRapFirmware and LinuxCNC, along the path for Klipper, mm/s^2.
     pub(crate) acceleration: f64,
+    /// Acceleration of Z, where each axis has its own, mm/s^2.
+    pub(crate) z_acceleration: f64,
     /// Largest speed of each axis, mm/s.
     pub(crate) speed: [f64; 3],
     pub(crate) corner: Corner,
@@ -78,7 +80,11 @@ impl Sweep {
         let speed = leg.feed.map_or(limit, |feed| limit.min(feed / 60.0));
         let acceleration = match self.corner {
             Corner::Square(_) => self.acceleration,
-            _ => (0..3).map(|i| limit_along(self.acceleration, i)).fold(f64::INFINITY, f64::min),
+            _ => [self.acceleration, self.acceleration, self.z_acceleration]
+                .into_iter()
+                .zip(0..)
+                .map(|(most, i)| limit_along(most, i))
+                .fold(f64::INFINITY, f64::min),
         };
         let mut plan = Plan { leg: *leg, unit, speed, acceleration, entry: 0.0 };
         if let Some(previous) = previous {

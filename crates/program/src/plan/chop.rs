@@ -11,9 +11,18 @@ const STROKES: f64 = 13.0;
 /// Strokes in a band where a controller joins short moves: now and then a stroke is longer by a part of another one.
 const SHORT_STROKES: f64 = 15.0;
 
-/// Least time of a stroke where rates are whole steps a second, s: half a millisecond, by which the end of Marlin's dwell is uncertain,
-/// is then 0.2 % of it.
+/// Largest time by which a dwell of Marlin and the wait after it differ from the plan, s: a display that keeps the firmware busy for a
+/// millisecond at a time makes them as much longer, and one that does not makes them as much shorter (docs/testing.md).
+const DWELL_ERROR: f64 = 1.3e-3;
+
+/// Time of a longest stroke where rates are whole steps a second, s, so that [`DWELL_ERROR`] is less than 0.2 % of it.
+const ACCURATE_TIME: f64 = 0.7;
+
+/// Least time of such a stroke, s, where the rest after a longer one would leave a scar.
 const LEAST_TIME: f64 = 0.25;
+
+/// Moves in the queue that end the wait of the first one, where rates are whole steps a second (Marlin, planner.cpp, `get_current_block`).
+const MOVES_WITHOUT_WAIT: u32 = 3;
 
 /// The limits by which a path is chopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,8 +80,28 @@ impl Chop {
             start_delay: motion.start_delay.0,
             stepper: stepper(motion),
         };
-        let least_time = if motion.has_whole_rates() { LEAST_TIME } else { 0.0 };
+        let least_time = if motion.has_whole_rates() { chop.least_time(speed) } else { 0.0 };
         Some(Self { longest: chop.longest.max(chop.least_stroke(speed)).max(least_time * speed), ..chop })
+    }
+
+    /// The least time of a longest stroke where rates are whole, s, at the mean speed `speed`, mm/s: so short that the longest rest is
+    /// enough where a shortest move is joined to the stroke.
+    fn least_time(&self, speed: f64) -> f64 {
+        let rest = self.start_delay + self.rest - self.least / speed;
+        (rest * self.speed / (self.speed - speed)).clamp(LEAST_TIME, ACCURATE_TIME)
+    }
+
+    /// The fraction by which the mean speed `speed`, mm/s, may be off because the end of a dwell depends on what else the firmware
+    /// does (Marlin); `None` where it does not.
+    pub fn dwell_error(&self, speed: f64) -> Option<f64> {
+        let has_whole_rates = self.stepper.is_some_and(|stepper| stepper.tick == 0.0);
+        has_whole_rates.then(|| DWELL_ERROR * speed / self.longest)
+    }
+
+    /// The wait before `moves` moves that meet an empty queue, s.
+    fn wait(&self, moves: u32) -> f64 {
+        let has_whole_rates = self.stepper.is_some_and(|stepper| stepper.tick == 0.0);
+        if has_whole_rates && moves >= MOVES_WITHOUT_WAIT { 0.0 } else { self.start_delay }
     }
 
     /// In how many strokes a way of `length`, mm, is travelled: such as the controller makes, where there is room for them.
@@ -112,14 +141,14 @@ impl Chop {
         self.stepper.is_none_or(|stepper| largest >= stepper.least_steps)
     }
 
-    /// Time from rest to rest, s, of these steps along a way of `length` mm.
-    pub(super) fn moving(&self, steps: [f64; 3], length: f64) -> f64 {
+    /// Time from rest to rest, s, of these steps along a way of `length` mm, in `moves` moves.
+    pub(super) fn moving(&self, steps: [f64; 3], length: f64, moves: u32) -> f64 {
         let Self { speed, acceleration, .. } = *self;
         let moving = match &self.stepper {
             Some(stepper) => stepper.seconds(steps, speed, acceleration),
             None => move_time(length, speed, Some(acceleration)),
         };
-        self.start_delay + moving
+        self.wait(moves) + moving
     }
 }
 

@@ -74,7 +74,7 @@ impl<'c> CheckStroke<'c> {
     /// Time of the stroke without its dwell, s.
     fn time(&self, acceleration: f64) -> f64 {
         let steps = self.chop.steps([0.0; 3], [self.length, 0.0, 0.0]);
-        Chop { acceleration, ..*self.chop }.moving(steps, self.length)
+        Chop { acceleration, ..*self.chop }.moving(steps, self.length, 1)
     }
 
     /// The acceleration with which the stroke takes longer by `excess`, s, than with `planned`; `None` where none does.

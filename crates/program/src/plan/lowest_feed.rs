@@ -221,8 +221,8 @@ fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
     }
 }
 
-/// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
-/// every stroke, where strokes are long because the axes speed up slowly.
+/// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps or makes three
+/// of them without a wait, or after every stroke, where strokes are long because the axes speed up slowly.
 fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, overdue: f64) -> Option<Refusal> {
     if overdue <= 0.0 {
         return None;
@@ -236,12 +236,12 @@ fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, overdue: f64) -> Optio
         (
             key,
             format!(
-                "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest \
-                 for {:.2} s in one place; up to {rest:.2} s leave no scar",
+                "beside a sharp corner the controller joins moves below {:.3} mm, and on a tight arc three moves begin without a \
+                 wait: the iron would rest for {:.2} s in one place; up to {rest:.2} s leave no scar",
                 chop.least,
                 rest + overdue
             ),
-            format!("{rounder}, or use a machine with more steps per mm"),
+            format!("{rounder}, seal more slowly, or use a machine with more steps per mm"),
         )
     } else {
         (

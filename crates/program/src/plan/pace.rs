@@ -58,6 +58,8 @@ pub struct Pacer {
 struct PacedRun {
     steps: [f64; 3],
     length: f64,
+    /// Moves that the controller has made.
+    moves: u32,
     /// Time counted for it, s.
     seconds: f64,
     /// Steps that the controller has not made yet, for they are too few.
@@ -131,7 +133,8 @@ impl Pacer {
         if is_made {
             run.steps = std::array::from_fn(|i| run_before.steps[i] + waiting[i].abs());
             run.waiting = [0.0; 3];
-            run.seconds = chop.moving(run.steps, run.length);
+            run.moves += 1;
+            run.seconds = chop.moving(run.steps, run.length, run.moves);
         }
         let moving = run.seconds - run_before.seconds;
         self.early += length / self.speed - moving;
@@ -190,7 +193,7 @@ mod tests {
     /// Time of one stroke from rest to rest, s.
     fn seconds_from_rest(chop: &Chop, from: [f64; 3], to: [f64; 3], length: f64) -> f64 {
         let steps = chop.steps(from, to).map(f64::abs);
-        chop.moving(steps, length)
+        chop.moving(steps, length, 1)
     }
 
     fn strokes(piece: Segment, heights: Option<(f64, f64)>) -> Vec<Stroke> {
@@ -298,6 +301,17 @@ mod tests {
         let slow = Chop { start_delay: 0.1, ..GRBL };
         let [a, b] = [GRBL, slow].map(|chop| seconds_from_rest(&chop, [0.0; 3], [0.2, 0.0, 0.0], 0.2));
         assert!((b - a - 0.1).abs() < 1e-12);
+    }
+
+    /// Marlin's planner begins at once as soon as three moves are queued; fewer wait.
+    #[test]
+    fn a_run_of_three_moves_does_not_wait() {
+        let chop = Chop { start_delay: 0.1, ..marlin() };
+        let seconds = [1, 2, 3, 7].map(|moves| chop.moving([24.0, 0.0, 0.0], 0.3, moves));
+        assert_eq!((seconds[0], seconds[2]), (seconds[1], seconds[3]));
+        assert!((seconds[1] - seconds[2] - 0.1).abs() < 1e-12, "{seconds:?}");
+        let grbl = Chop { start_delay: 0.1, ..GRBL };
+        assert_eq!(grbl.moving([24.0, 0.0, 0.0], 0.3, 3), grbl.moving([24.0, 0.0, 0.0], 0.3, 1));
     }
 
     #[test]

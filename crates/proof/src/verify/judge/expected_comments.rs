@@ -185,7 +185,7 @@ fn stroke_limits(task: &ProgramTask<'_>, seal: &Seal) -> Option<(f64, f64)> {
     let shortest_stroke = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
     let shortest = shortest_move(motion);
     let count = if shortest > 0.0 { 15.0 } else { 13.0 };
-    let timed = seal.speed.0 * least_time(motion);
+    let timed = seal.speed.0 * least_time(motion, seal, speed);
     Some((speed, shortest_stroke.max(seal.band.0 / count).max(shortest).max(timed)))
 }
 

@@ -123,7 +123,7 @@ impl<'a> Paced<'a> {
         let shortest_time = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let length = if spared > 0.0 { shortest_time / spared } else { 0.0 };
-        let length = length.max(seal.speed.0 * least_time(self.rules.motion));
+        let length = length.max(seal.speed.0 * least_time(self.rules.motion, seal, feed));
         // Where two strokes that the controller makes do not fit, one is nearly as long as both.
         let stroke_length = length.max(2.0 * shortest_move(self.rules.motion));
         stroke_length.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)

@@ -5,7 +5,7 @@
 //! step and a quarter is travelled, with no step longer than that of the lowest step rate. The tick in which the speed is
 //! reached counts as if all of its stretch had been travelled in it.
 
-use spec::{Motion, StepRate};
+use spec::{Motion, Seal, StepRate};
 
 /// The run since the iron last rested.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,6 +13,8 @@ pub(super) struct StrokeRun {
     /// Whole steps of each axis; lengths in mm where the steps are unknown.
     moved: [f64; 3],
     length: f64,
+    /// Moves that the controller makes.
+    moves: usize,
     /// Steps of moves that have too few of them, and whether there are such moves: the controller joins them to the next one.
     joined: [f64; 3],
     is_short: bool,
@@ -32,7 +34,7 @@ impl StrokeRun {
             return run;
         }
         let moved = std::array::from_fn(|i| self.moved[i] + joined[i].abs());
-        Self { moved, joined: [0.0; 3], ..run }
+        Self { moved, joined: [0.0; 3], moves: self.moves + 1, ..run }
     }
 
     /// Whether the last moves have so few steps that the controller has not made them yet.
@@ -42,7 +44,9 @@ impl StrokeRun {
 
     /// Time from rest to rest, s, at `speed` mm/s.
     pub(super) fn seconds(&self, motion: &Motion, speed: f64) -> f64 {
-        let wait = motion.start_delay.0;
+        // Marlin's queue begins at once when it has three moves (planner.cpp, get_current_block).
+        let is_queued = motion.has_whole_rates() && self.moves > 2;
+        let wait = if is_queued { 0.0 } else { motion.start_delay.0 };
         let Some(a) = motion.acceleration.map(|a| a.0) else { return wait + self.length / speed };
         match (motion.tick, motion.step_rate, motion.steps_per_mm) {
             (Some(tick), StepRate::AtLeast(rate), Some(scale)) => {
@@ -90,9 +94,15 @@ pub(super) fn shortest_move(motion: &Motion) -> f64 {
     })
 }
 
-/// The least time of a longest stroke, s: a quarter of a second where the end of a dwell is uncertain by a millisecond (Marlin).
-pub(super) fn least_time(motion: &Motion) -> f64 {
-    if motion.tick.is_some_and(|tick| tick.0 == 0.0) { 0.25 } else { 0.0 }
+/// The least time of a longest stroke of `seal`, s, at the feed `feed`, mm/s: where the end of a dwell is uncertain by a millisecond (Marlin),
+/// 0.7 s, or as long as the wait of a start and the longest rest allow beside a joined move, but a quarter of a second.
+pub(super) fn least_time(motion: &Motion, seal: &Seal, feed: f64) -> f64 {
+    if !motion.has_whole_rates() {
+        return 0.0;
+    }
+    let (shortest, speed) = (shortest_move(motion), seal.speed.0);
+    let rest = ((0.1 * seal.band.0).max(2.0 * shortest) - shortest) / speed;
+    ((motion.start_delay.0 + rest) * feed / (feed - speed)).clamp(0.25, 0.7)
 }
 
 fn millimetres_per_step(scale: f64) -> f64 {
