@@ -182,3 +182,33 @@ fn feedcheck_runs_a_second_time_if_it_is_told_to() {
     assert_eq!(go(&["--force"]).status.code(), Some(0));
     assert_eq!(fs::read(dir.path().join("feedcheck.gcode")).expect("there"), before);
 }
+
+/// The answer of `check --json` on a star of 2 kPa whose inner loop has a strength of its own; the outer one has 2.5 N/mm.
+fn star_with_inner_strength(strength: &str) -> Value {
+    let dir = tempfile::tempdir().expect("a folder");
+    let star = format!(
+        "{STAR}inner_process = \"weak\"\n[process.weak]\nstrength = \"{strength}\"\n[fabric]\nseal_strength = \"2.5 N/mm\"\n\
+         [load]\npressure = \"2 kPa\"\n"
+    );
+    fs::write(dir.path().join("star.toml"), star).expect("written");
+    json(&run(dir.path(), &["check", "star.toml", "--json"]))
+}
+
+/// A design with a weak seam bursts there first, and `check` says so; a weak seam that is stronger than the others is a warning.
+#[test]
+fn a_weak_seam_bursts_first_and_a_strong_one_of_that_name_is_a_warning() {
+    let [weak, even, strong] = ["0.8 N/mm", "2.5 N/mm", "3.9 N/mm"].map(star_with_inner_strength);
+    let burst = |answer: &Value| answer["prediction"]["burst_pressure_kPa"].as_f64().expect("a pressure");
+    assert!(burst(&weak) < 0.5 * burst(&even), "{} and {} kPa", burst(&weak), burst(&even));
+    // The outer loop is then the first to open, at the pull of the corners.
+    assert!(burst(&strong) >= burst(&even), "{} and {} kPa", burst(&strong), burst(&even));
+    let note = |answer: &Value| {
+        let codes = answer["before_you_seal_codes"].as_array().expect("codes");
+        let place = codes.iter().position(|code| code == "weak-process").expect("a note");
+        answer["before_you_seal"][place].as_str().expect("a text").to_owned()
+    };
+    assert!(note(&weak).starts_with("process weak is the weakest, 0.8 N/mm: its seams open first"));
+    for answer in [&even, &strong] {
+        assert!(note(answer).contains("its seams are not the first to open"), "{}", note(answer));
+    }
+}

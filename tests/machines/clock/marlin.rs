@@ -13,8 +13,10 @@ const EARLY: f64 = 1.25e-3;
 /// As often the time of `idle()` is added: at both ends of the dwell, and before the next line is read. The firmware's own code took this
 /// time for 0.03 to 1 ms (docs/testing.md).
 const IDLE_CALLS: f64 = 2.5;
-/// The times that a call of `idle()` takes, s: hardly any; as long as the plan counts with; on a board with a slow display.
-pub(crate) const IDLE_TIMES: [f64; 3] = [0.0, 0.5e-3, 1e-3];
+/// The time of a call of `idle()` that the profile `marlin` counts with, s.
+pub(crate) const IDLE: f64 = 0.5e-3;
+/// The times that it takes on an Ender-3, s: hardly any; as long as the profile counts with; with a slow display.
+pub(crate) const IDLE_TIMES: [f64; 3] = [0.0, 0.3e-3, 1e-3];
 /// Number of blocks that end the wait early.
 const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.

@@ -130,9 +130,8 @@ fn an_ender_keeps_every_speed_on_the_version_of_its_profile() {
             {
                 let text = Text::read(code);
                 let track = run_ender(&text, motors, version, idle);
-                // A fast seal has strokes in which a millisecond is more than the tolerance; `check` says so. On arcs they are
-                // shorter than the longest.
-                let excess = if idle == IDLE_TIMES[1] { 0.0 } else { 1.2 * dwell_error.expect("Marlin") };
+                // A fast seal has strokes in which a millisecond is more than the tolerance; `check` says so.
+                let excess = if idle == IDLE_TIMES[1] { 0.0 } else { dwell_error.expect("Marlin") };
                 let tolerance = judge::MEAN.max(excess + ROUNDING);
                 let (deviation, complaints) = deviations_within(tolerance, &text, &track, speed, 0.0);
                 println!("{version:?} {name} {speed} mm/s, idle {idle} s: {deviation:?}");

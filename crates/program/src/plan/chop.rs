@@ -11,11 +11,11 @@ const STROKES: f64 = 13.0;
 /// Strokes in a band where a controller joins short moves: now and then a stroke is longer by a part of another one.
 const SHORT_STROKES: f64 = 15.0;
 
-/// Largest time by which a dwell of Marlin and the wait after it differ from the plan, s: a display that keeps the firmware busy for a
-/// millisecond at a time makes them as much longer, and one that does not makes them as much shorter (docs/testing.md).
-const DWELL_ERROR: f64 = 1.3e-3;
+/// The wait of a start on Marlin, beside the dwell before it, s: on a board whose display takes hardly any time, and on one whose display
+/// keeps the firmware busy for a millisecond at a time (docs/clock.md), with a fifth more for strokes on arcs, which are shorter.
+const WAITS: [f64; 2] = [98.7e-3, 101.6e-3];
 
-/// Time of a longest stroke where rates are whole steps a second, s, so that [`DWELL_ERROR`] is less than 0.2 % of it.
+/// Time of a longest stroke where rates are whole steps a second, s, so that a millisecond of a wait is less than 0.2 % of it.
 const ACCURATE_TIME: f64 = 0.7;
 
 /// Least time of such a stroke, s, where the rest after a longer one would leave a scar.
@@ -95,7 +95,8 @@ impl Chop {
     /// does (Marlin); `None` where it does not.
     pub fn dwell_error(&self, speed: f64) -> Option<f64> {
         let has_whole_rates = self.stepper.is_some_and(|stepper| stepper.tick == 0.0);
-        has_whole_rates.then(|| DWELL_ERROR * speed / self.longest)
+        let error = WAITS.into_iter().map(|wait| (wait - self.start_delay).abs()).fold(0.0, f64::max);
+        has_whole_rates.then(|| error * speed / self.longest)
     }
 
     /// The wait before `moves` moves that meet an empty queue, s.
