@@ -140,13 +140,7 @@ fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
 /// config/examples/Creality/Ender-3/CrealityV422/Configuration.h: DEFAULT_MAX_FEEDRATE, DEFAULT_MAX_ACCELERATION, S_CURVE_ACCELERATION.
 pub(crate) fn ender(motors: Motors, version: Version) -> Marlin {
     let board = marlin(motors, 1.0, version);
-    Marlin {
-        z_acceleration: 100.0,
-        speed: [500.0, 500.0, 5.0],
-        idle: IDLE_TIMES[1],
-        s_curve: true,
-        ..board
-    }
+    Marlin { z_acceleration: 100.0, speed: [500.0, 500.0, 5.0], idle: IDLE_TIMES[1], s_curve: true, ..board }
 }
 
 /// The track of a program on an Ender-3 with another version, where a call of `idle()` takes `idle`, s.
