@@ -94,15 +94,18 @@ impl Chop {
     /// The fraction by which the mean speed `speed`, mm/s, may be off because the end of a dwell depends on what else the firmware
     /// does (Marlin); `None` where it does not.
     pub fn dwell_error(&self, speed: f64) -> Option<f64> {
-        let has_whole_rates = self.stepper.is_some_and(|stepper| stepper.tick == 0.0);
         let error = WAITS.into_iter().map(|wait| (wait - self.start_delay).abs()).fold(0.0, f64::max);
-        has_whole_rates.then(|| error * speed / self.longest)
+        self.has_whole_rates().then(|| error * speed / self.longest)
+    }
+
+    /// Whether rates are whole steps a second (Marlin).
+    fn has_whole_rates(&self) -> bool {
+        self.stepper.is_some_and(|stepper| stepper.tick == 0.0)
     }
 
     /// The wait before `moves` moves that meet an empty queue, s.
     fn wait(&self, moves: u32) -> f64 {
-        let has_whole_rates = self.stepper.is_some_and(|stepper| stepper.tick == 0.0);
-        if has_whole_rates && moves >= MOVES_WITHOUT_WAIT { 0.0 } else { self.start_delay }
+        if self.has_whole_rates() && moves >= MOVES_WITHOUT_WAIT { 0.0 } else { self.start_delay }
     }
 
     /// In how many strokes a way of `length`, mm, is travelled: such as the controller makes, where there is room for them.
