@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::answer::refused::{finding_json, refusal, refused_by};
+use crate::answer::refused::{finding_json, offering_commands, refusal, refused_by};
 use crate::cli::escape::{escaped, escaped_line};
 use crate::cli::findings::Unproven;
 use crate::cli::terminal::{fitted, has_colours, width};
@@ -151,7 +151,7 @@ pub(super) fn reason(operation: &str, error: &io::Error) -> String {
 
 impl From<Faults> for Failure {
     fn from(faults: Faults) -> Self {
-        Self::Faults(faults)
+        Self::Faults(offering_commands(faults))
     }
 }
 

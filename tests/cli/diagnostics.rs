@@ -299,7 +299,8 @@ fn a_file_of_another_kind_is_named_in_one_message() {
         let said = stderr(&output);
         assert_eq!(output.status.code(), Some(1));
         assert!(
-            said.contains("error[not-a-spec]") && said.contains(kind) && said.lines().count() < 10,
+            ["error[not-a-spec]", kind, "`stargrip-cam new"].iter().all(|words| said.contains(words))
+                && said.lines().count() < 10,
             "{said}"
         );
     }

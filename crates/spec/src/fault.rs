@@ -26,6 +26,15 @@ pub struct DrawnPlace {
     pub at: Option<[f64; 2]>,
 }
 
+/// How a user comes to a whole spec instead of the text that has the fault. An interface has the words for it: [`crate::Faults::offer`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NewSpec {
+    /// By a starter.
+    Starter,
+    /// From a drawing.
+    FromDrawing,
+}
+
 /// One thing found at one place of a source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
@@ -41,6 +50,8 @@ pub struct Fault {
     pub span: Range<usize>,
     /// The remedy.
     pub help: Option<String>,
+    /// Another remedy.
+    pub new_spec: Option<NewSpec>,
     /// The place in the drawing that the text names.
     pub drawn: Option<Box<DrawnPlace>>,
 }
@@ -55,6 +66,7 @@ impl Fault {
             label: String::new(),
             span,
             help: None,
+            new_spec: None,
             drawn: None,
         }
     }
@@ -77,6 +89,11 @@ impl Fault {
     /// This fault with the remedy `help`.
     pub fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(shortened(&help.into()).into_owned()), ..self }
+    }
+
+    /// This fault, of a text in place of which a `new_spec` may be written.
+    pub(super) fn or_new_spec(self, new_spec: Option<NewSpec>) -> Self {
+        Self { new_spec, ..self }
     }
 }
 

@@ -3,7 +3,7 @@
 use geom::order::sort_by_key;
 use std::fmt;
 
-use crate::fault::{Fault, Severity};
+use crate::fault::{Fault, NewSpec, Severity};
 use crate::raw::RawSpec;
 use crate::source::{SIZE_LIMIT, Source, boundary};
 use crate::{FaultCode, render};
@@ -30,6 +30,17 @@ impl Faults {
     #[must_use]
     pub fn with_addition(self, addition: Option<Fault>) -> Self {
         Self::new(&self.source, self.list.into_iter().chain(addition).collect())
+    }
+
+    /// Adds the way to a new spec to the remedies of the faults that have one, in the words of the interface that shows them.
+    #[must_use]
+    pub fn offer(mut self, words: fn(NewSpec) -> &'static str) -> Self {
+        for fault in &mut self.list {
+            if let Some((new_spec, help)) = fault.new_spec.take().zip(fault.help.as_mut()) {
+                *help = format!("{}; or {help}", words(new_spec));
+            }
+        }
+        self
     }
 
     /// The faults in the order of their places.
@@ -163,6 +174,24 @@ mod tests {
         assert_eq!(faults.list().iter().map(|f| f.span.start).collect::<Vec<_>>(), [0, 2, 4]);
         assert!(!faults.refuse());
         assert!(Faults::new(&source, vec![Fault::error(FaultCode::Name, 0..0, "m")]).refuse());
+    }
+
+    #[test]
+    fn an_interface_offers_a_new_spec_in_its_own_words() {
+        for (text, remedy) in
+            [("", "Starter; or write for instance"), ("<svg/>", "FromDrawing; or name a TOML file")]
+        {
+            let remedies = |faults: &Faults| -> String {
+                faults.list().iter().filter_map(|fault| fault.help.clone()).collect()
+            };
+            let faults = crate::read(&Source::new("a", text)).expect_err("no spec");
+            assert!(!remedies(&faults).contains("stargrip-cam"), "{faults}");
+            let offered = faults.offer(|new_spec| match new_spec {
+                NewSpec::Starter => "Starter",
+                NewSpec::FromDrawing => "FromDrawing",
+            });
+            assert!(remedies(&offered).contains(remedy), "{offered}");
+        }
     }
 }
 

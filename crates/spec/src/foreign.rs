@@ -1,7 +1,7 @@
 //! Files of other kinds, also other TOML files of this program: named once, instead of a fault for each of their lines.
 
 use crate::FaultCode;
-use crate::fault::Fault;
+use crate::fault::{Fault, NewSpec};
 use crate::product::ProductKind;
 use crate::value::RawTable;
 
@@ -63,10 +63,12 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
     let format = kind(text)?;
     let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {format}, not TOML"))
         .label("recognised by its beginning");
-    let new = if format.ends_with("drawing") { "new --drawing FILE" } else { "new" };
-    Some(fault.help(format!(
-        "name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam {new}` writes one to begin with"
-    )))
+    let new_spec = if format.ends_with("drawing") { NewSpec::FromDrawing } else { NewSpec::Starter };
+    Some(
+        fault
+            .help("name a TOML file instead: a build keeps its own beside its files")
+            .or_new_spec(Some(new_spec)),
+    )
 }
 
 /// The kind of the text, in plain words.
@@ -157,9 +159,8 @@ mod tests {
         ] {
             assert_eq!(kind(text), found, "{text}");
         }
-        for (text, new) in [("<svg/>", "`stargrip-cam new --drawing FILE`"), ("{", "`stargrip-cam new`")] {
-            let help = fault(text).and_then(|fault| fault.help).expect("a remedy");
-            assert!(help.contains(new), "{help}");
+        for (text, new_spec) in [("<svg/>", NewSpec::FromDrawing), ("{", NewSpec::Starter)] {
+            assert_eq!(fault(text).and_then(|fault| fault.new_spec), Some(new_spec));
         }
         assert_eq!(fault("schema = 1\rname = \"x\"\r").map(|fault| fault.code), Some("line-end"));
         assert_eq!(fault("schema = 1\r\nname = x\r\n"), None);

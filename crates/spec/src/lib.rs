@@ -66,7 +66,7 @@ pub use cut::{CutProcess, CutSpec, CutTool};
 pub use defaults::with_defaults;
 pub use dialect::{Dialect, DialectFamily};
 pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
-pub use fault::{DrawnPlace, Fault, Severity, shortened};
+pub use fault::{DrawnPlace, Fault, NewSpec, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use laser::{FOCUSES, LASER_PROFILE, POWERS, seals_by_laser};

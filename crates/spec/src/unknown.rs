@@ -1,7 +1,7 @@
 //! Unknown keys and sections, and the ones that their writer may have meant; missing keys.
 
 use crate::FaultCode;
-use crate::fault::{Fault, quoted};
+use crate::fault::{Fault, NewSpec, quoted};
 use crate::message::header;
 use crate::product::ProductKind;
 use crate::units::{Length, Quantity};
@@ -254,10 +254,10 @@ impl Missing {
             ),
         };
         let label = if keys.len() == 1 { "this key is required" } else { "these keys are required" };
-        let begin = if is_written { "" } else { "`stargrip-cam new` writes a whole spec to begin with; or " };
         Fault::error(FaultCode::MissingKey, place, message)
             .label(label)
-            .help(format!("{begin}write for instance:\n{help}"))
+            .help(format!("write for instance:\n{help}"))
+            .or_new_spec((!is_written).then_some(NewSpec::Starter))
     }
 }
 

@@ -5,10 +5,7 @@ use stargrip_cam::answer::refused::{at_keys, fault_json};
 use stargrip_cam::design::{Refusals, Warning};
 use stargrip_cam::spec::{Fault, FaultCode, Faults, Reading, Severity, Source};
 
-/// The part of a remedy that names a command, which a page has not.
-const COMMAND: &str = "`stargrip-cam new` writes a whole spec to begin with; or ";
-
-/// What to do with a text that is a file of another kind.
+/// What to do with a text that is a file of another kind, in place of the command that takes it.
 const INSTEAD: &str = "open or drop a file of this kind, or begin with an object, a drawing or a design";
 
 /// All of `faults`: the values of `--json`, whether each is a warning, its column, and its start and end in the text.
@@ -20,10 +17,9 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let page_fault = |fault: &Fault| {
         let mut value = fault_json(faults, fault);
         let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
-        if let Some(remedy) = value["remedy"].as_str() {
-            let is_of_another_kind = FaultCode::NotASpec == fault.code && remedy.contains("`stargrip-cam ");
-            value["remedy"] =
-                if is_of_another_kind { INSTEAD.into() } else { remedy.replace(COMMAND, "").into() };
+        let is_for_command = value["remedy"].as_str().is_some_and(|remedy| remedy.contains("`stargrip-cam "));
+        if fault.code == FaultCode::NotASpec && is_for_command {
+            value["remedy"] = INSTEAD.into();
         }
         value["warning"] = json!(fault.level == Severity::Warning);
         value["column"] = json!(1 + units(fault.span.start) - units(line));
