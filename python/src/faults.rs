@@ -53,7 +53,8 @@ pub(crate) fn of_design(py: Python<'_>, loaded: &Loaded, refusals: Refusals) -> 
 /// A prediction that cannot be made: `PredictionError`.
 pub(crate) fn of_prediction(py: Python<'_>, loaded: &Loaded, fault: &PredictFault) -> PyErr {
     let mut refusals = Refusals::from(no_prediction(fault));
-    refusals.offer(RefusalCode::LargeShell, "`predict(..., fineness=\"coarse\")` computes it");
+    refusals
+        .offer(RefusalCode::LargeShell, "`predict(spec, model=\"shell\", fineness=\"coarse\")` computes it");
     of_faults(py, "PredictionError", &at_keys(&loaded.source, &loaded.reading.raw, refusals))
 }
 

@@ -93,7 +93,9 @@ pub(super) fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
         ShellRefusal::Cancelled => Failure::Interrupted,
         ShellRefusal::Fault(fault) => {
             let mut refusals = Refusals::from(no_prediction(&fault));
-            refusals.offer(RefusalCode::LargeShell, "`--fineness coarse` computes it");
+            // A whole command: `--fineness` excludes `--accuracy`.
+            let command = "`stargrip-cam predict SPEC --model shell --fineness coarse` computes it";
+            refusals.offer(RefusalCode::LargeShell, command);
             loaded.refused(refusals)
         }
     }

@@ -290,7 +290,8 @@ fn a_large_shell_is_refused_before_it_is_computed() {
     for (command, option) in [
         (&["check", "spec.toml"][..], "`--anyway` computes it"),
         (&["build", "spec.toml", "-o", "out"], "`--anyway` computes it"),
-        (&["predict", "spec.toml"], "`--fineness coarse` computes it"),
+        (&["predict", "spec.toml"], "--model shell --fineness coarse` computes it"),
+        (&["predict", "spec.toml", "--accuracy", "5 %"], "--model shell --fineness coarse` computes it"),
     ] {
         let refused = run(dir.path(), command);
         let message = text(&refused.stderr);
@@ -318,7 +319,7 @@ fn many_different_stars_are_refused_before_they_are_computed() {
     let message = text(&prediction.stderr);
     assert_eq!(prediction.status.code(), Some(1), "{message}");
     for words in
-        ["[large-shell]", "30 different stars", "; at most 10 min are computed", "`--fineness coarse`"]
+        ["[large-shell]", "30 different stars", "; at most 10 min are computed", "--fineness coarse`"]
     {
         assert!(message.contains(words), "{message}");
     }
