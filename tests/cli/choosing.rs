@@ -311,6 +311,12 @@ fn the_reason_binds_and_every_way_out_works() {
             "it can safely carry ",
             &["friction ", "an object that bears ", "a mass of "],
         ),
+        // The gentlest star is that for the object's mass, on a sheet of any size.
+        (
+            "--object 12mm --height 35mm --shape cylinder --mass 6g --fragile 1N --sheet A5",
+            "the gentlest star that can safely carry 6 g is for an object that bears 2.1 N: this one bears 1 N",
+            &["a sheet of "],
+        ),
         // Two reasons, and one way out of both.
         ("--object 66mm --mass 35kg --sheet 90x90", "the star needs a sheet of ", &["a sheet of "]),
     ] {

@@ -33,8 +33,6 @@ pub struct NearestRequirements {
 /// Requirements that exclude each other.
 struct Conflict {
     members: Vec<Requirement>,
-    /// The members alone: every other requirement is given up.
-    only_these: Requirements,
     /// All requirements but those of other conflicts.
     without_other_conflicts: Requirements,
 }
@@ -88,18 +86,17 @@ impl Finder<'_> {
                 let ways = self.ways_out(conflict);
                 let subject = conflict.subject();
                 let way = ways.iter().find(|(easing, _)| Some(*easing) == subject).map(|(_, way)| way);
-                let aggravating =
-                    way.map_or_else(Vec::new, |way| self.aggravating_requirements(conflict, way));
-                let reasons = conflict.reasons(way, &aggravating);
+                let reasons = self.reasons(conflict, way);
                 let offered = ways.into_iter().filter(|(easing, _)| *easing != Requirement::Machine);
                 Infeasible { reasons, nearest: offered.map(|(_, nearest)| nearest).collect() }
             }
             several => {
-                let reason = |conflict: &Conflict| {
-                    let limit = self.eased(&conflict.only_these, conflict.subject().as_slice());
-                    conflict.reasons(limit.as_ref(), &[])
-                };
-                let reasons = several.iter().flat_map(reason).collect();
+                let reasons = several.iter().flat_map(|conflict| {
+                    let subject = conflict.subject();
+                    let way = self.eased(&conflict.without_other_conflicts, subject.as_slice());
+                    self.reasons(conflict, way.as_ref())
+                });
+                let reasons = reasons.collect();
                 let nearest = combinations(several).find_map(|easings| self.eased(required, &easings));
                 Infeasible { reasons, nearest: nearest.into_iter().collect() }
             }
@@ -128,7 +125,7 @@ impl Finder<'_> {
                 return conflicts;
             }
             rest = members.iter().fold(rest, |rest, limit| limit.given_up(&rest).unwrap_or(rest));
-            conflicts.push(Conflict { members, only_these, without_other_conflicts: rest });
+            conflicts.push(Conflict { members, without_other_conflicts: rest });
             if self.grippers(&rest).is_some() {
                 break;
             }
@@ -150,6 +147,12 @@ impl Finder<'_> {
             OFFERS.into_iter().chain([Requirement::Machine]).filter(|easing| conflict.is_solved_by(*easing));
         ways.filter_map(|easing| Some((easing, self.eased(&conflict.without_other_conflicts, &[easing])?)))
             .collect()
+    }
+
+    /// The reasons of `conflict`; `way` is the nearest request with its subject eased alone.
+    fn reasons(&self, conflict: &Conflict, way: Option<&NearestRequirements>) -> Vec<String> {
+        let aggravating = way.map_or_else(Vec::new, |way| self.aggravating_requirements(conflict, way));
+        conflict.reasons(way, &aggravating)
     }
 
     /// The requirements that do not belong to `conflict` and make `way`, in which its subject is eased alone, worse.
