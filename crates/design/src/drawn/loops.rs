@@ -1,48 +1,91 @@
-//! Closed curves of a file: those that it closes, and rings of open ones whose ends meet.
+//! Closed curves of a file: those that it closes, rings of open ones whose ends meet, and outlines that are open where a hose goes in.
 
 use std::collections::BTreeMap;
 
 use artwork::{Artwork, Figure};
-use geom::{Path, Point};
+use geom::{Enclosures, Line, Path, Point, Segment, intersections};
 
 /// Ends up to this far apart meet, mm: the default of `join`.
 const MEETS: f64 = 0.02;
+/// Largest gap of an outline that is open at a port, mm; longest line that shows the port.
+const LARGEST_NECK: f64 = 20.0;
+/// An outline is at least this many times as long as its gap.
+const LEAST_OUTLINE: f64 = 4.0;
 
 /// A closed curve, and the numbers of the elements that make it.
 pub(super) struct DrawnLoop {
     pub path: Path,
     pub elements: Vec<usize>,
+    /// Whether the file leaves it open at a port.
+    pub has_neck: bool,
 }
 
-/// The closed curves of a drawing.
+/// The closed curves of a drawing, those that are open at a port included.
 pub(super) fn rings(drawing: &Artwork) -> Vec<DrawnLoop> {
     let mut rings = Vec::new();
     let mut open: Vec<(usize, &Path)> = Vec::new();
     for (number, element) in drawing.elements.iter().enumerate() {
         match &element.figure {
             Figure::Path(path) if path.closed => {
-                rings.push(DrawnLoop { path: path.clone(), elements: vec![number] });
+                rings.push(DrawnLoop { path: path.clone(), elements: vec![number], has_neck: false });
             }
             Figure::Path(path) => open.push((number, path)),
             Figure::Point(_) => {}
         }
     }
-    rings.extend(joined(&open));
+    let (joined_rings, chains) = joined(&open);
+    rings.extend(joined_rings);
+    let necks = outlines_with_necks(&chains, &rings, &open);
+    rings.extend(necks);
     rings
 }
 
-/// The rings of open curves in which each end meets one end of another curve.
+/// The `chains` whose ends are so near that a port lies between them, if a short line of `open` crosses the gap and no ring encloses it: within a
+/// ring such a curve is a weld. A straight line closes each.
+fn outlines_with_necks(chains: &[Chain], rings: &[DrawnLoop], open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
+    let ring_paths: Vec<Path> = rings.iter().map(|ring| ring.path.clone()).collect();
+    let enclosures = Enclosures::new(&ring_paths);
+    let short: Vec<&(usize, &Path)> = open.iter().filter(|(_, line)| line.length() <= LARGEST_NECK).collect();
+    let mut outlines = Vec::new();
+    for chain in chains {
+        let Some((start, end)) = chain.path.start().zip(chain.path.end()) else { continue };
+        let gap = start.distance(end);
+        let chord = Segment::from(Line::new(end, start));
+        let crosses = |line: &Path| line.segments.iter().any(|part| !intersections(part, &chord).is_empty());
+        let is_crossed =
+            || short.iter().any(|(number, line)| !chain.elements.contains(number) && crosses(line));
+        let is_wide = gap > LARGEST_NECK.min(chain.path.length() / LEAST_OUTLINE);
+        if !is_wide && enclosures.enclosing(start).is_empty() && is_crossed() {
+            let segments = chain.path.segments.iter().copied().chain([chord]);
+            outlines.push(DrawnLoop {
+                path: Path::closed(segments.collect()),
+                elements: chain.elements.clone(),
+                has_neck: true,
+            });
+        }
+    }
+    outlines
+}
+
+/// Open curves, each of which begins where the one before ends, and the numbers of their elements.
+struct Chain {
+    path: Path,
+    elements: Vec<usize>,
+}
+
+/// The rings of open curves in which each end meets one end of another curve, and the chains with two free ends.
 ///
 /// Ends are numbered: curve `i` starts at end `2 i` and ends at `2 i + 1`. A walk goes from an end to the other one of its curve and
-/// from there to its partner until it is back; a walk that comes to an end without a partner is no ring.
-fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
+/// from there to its partner until it is back, or comes to an end without a partner. Walks from such ends come first.
+fn joined(open: &[(usize, &Path)]) -> (Vec<DrawnLoop>, Vec<Chain>) {
     let ends: Vec<Point> =
         open.iter().flat_map(|(_, path)| [path.start(), path.end()]).map(Option::unwrap_or_default).collect();
     let neighbours = partners(&ends);
     let mut is_walked = vec![false; open.len()];
-    let mut rings = Vec::new();
-    for first in 0..open.len() {
-        let (mut end, mut elements, mut segments) = (2 * first, Vec::new(), Vec::new());
+    let (mut rings, mut chains) = (Vec::new(), Vec::new());
+    let free_ends = (0..ends.len()).filter(|end| neighbours[*end].is_none());
+    for first in free_ends.chain((0..open.len()).map(|curve| 2 * curve)) {
+        let (mut end, mut elements, mut segments) = (first, Vec::new(), Vec::new());
         while !is_walked[end / 2] {
             is_walked[end / 2] = true;
             let (number, path) = open[end / 2];
@@ -51,11 +94,16 @@ fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
             let Some(next) = neighbours[end ^ 1] else { break };
             end = next;
         }
-        if end == 2 * first && elements.len() > 1 {
-            rings.push(DrawnLoop { path: Path::closed(segments), elements });
+        if elements.is_empty() {
+            continue;
+        }
+        if neighbours[first].is_none() {
+            chains.push(Chain { path: Path::open(segments), elements });
+        } else if end == first && elements.len() > 1 {
+            rings.push(DrawnLoop { path: Path::closed(segments), elements, has_neck: false });
         }
     }
-    rings
+    (rings, chains)
 }
 
 /// The only other end that meets each end; `None` where there is none or more than one.

@@ -34,6 +34,8 @@ struct DrawnLayer<'d> {
     elements: Vec<usize>,
     /// Number of elements that are closed or in a ring.
     closed: usize,
+    /// Whether an outline that is open at a port is on it.
+    has_neck: bool,
 }
 
 /// The layers of `drawing`, each with the role that its name and figures suggest, and the reason. Where all lies on one layer, colours
@@ -94,11 +96,13 @@ fn layers<'d>(drawing: &'d Artwork, is_dxf: bool, edges: &EdgePaths) -> Vec<Draw
     let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     for (number, name) in layer_names(drawing, is_dxf).into_iter().enumerate() {
         let place = *places.entry(name).or_insert_with(|| {
-            layers.push(DrawnLayer { name, elements: Vec::new(), closed: 0 });
+            layers.push(DrawnLayer { name, elements: Vec::new(), closed: 0, has_neck: false });
             layers.len() - 1
         });
         layers[place].elements.push(number);
-        layers[place].closed += usize::from(edges.elements.contains(&number));
+        let has_neck = edges.elements_with_necks.contains(&number);
+        layers[place].has_neck |= has_neck;
+        layers[place].closed += usize::from(edges.elements.contains(&number) && !has_neck);
     }
     layers
 }
@@ -140,6 +144,9 @@ fn suited(
             (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
         }
         None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
+        None if layer.has_neck => {
+            (LayerRole::Air, format!("an outline that is open at a short line; {figures}"))
+        }
         None if layer.elements.iter().all(is_point) => {
             (LayerRole::Ignore, format!("points off the edges; {figures}"))
         }
@@ -207,6 +214,8 @@ struct EdgePaths {
     enclosures: Enclosures,
     /// The elements that make them, by number.
     elements: BTreeSet<usize>,
+    /// Those of outlines that are open at a port.
+    elements_with_necks: BTreeSet<usize>,
     /// The elements that make each of them.
     elements_of_paths: Vec<Vec<usize>>,
     /// The larger side of all of them, mm.
@@ -217,6 +226,8 @@ impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
     fn new(drawing: &Artwork) -> Self {
         let closed_rings = rings(drawing);
+        let with_necks = closed_rings.iter().filter(|ring| ring.has_neck);
+        let elements_with_necks = with_necks.flat_map(|ring| &ring.elements).copied().collect();
         let (paths, elements_of_paths): (Vec<Path>, Vec<Vec<usize>>) =
             closed_rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
         let elements = elements_of_paths.iter().flatten().copied().collect();
@@ -228,6 +239,7 @@ impl EdgePaths {
             boxes,
             enclosures,
             elements,
+            elements_with_necks,
             elements_of_paths,
             size: bounds.width().max(bounds.height()).max(0.0),
         }
