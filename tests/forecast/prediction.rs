@@ -211,7 +211,19 @@ fn where_no_model_covers_a_star_nothing_is_said_of_it() {
         "{warnings:?}"
     );
     let page = stargrip_cam::forecast::report::text(&soft, &prediction, true);
-    assert!(page.contains("final radius                  unknown\n"), "{page}");
+    assert!(page.contains("closes to, across             unknown\n"), "{page}");
+}
+
+/// A star that closes to 2 mm of the axis has flaps of 4 mm, which meet there.
+#[test]
+fn the_edge_of_a_flap_is_never_beyond_the_axis() {
+    let star =
+        "[star]\npoints = 3\ninner_radius = \"13.6 mm\"\ntube_width = \"13 mm\"\ntip_angle = \"15 deg\"\n";
+    let radii = "tip_radius = \"2 mm\"\ncorner_radius = \"2 mm\"\n";
+    let marble = spec(&format!("schema = 1\nname = \"x\"\n{star}{radii}[load]\npressure = \"58.3 kPa\"\n"));
+    let prediction = predict(&marble).expect("predicted");
+    assert!(prediction.first.final_radius_mm.is_some_and(|radius| radius < 2.5));
+    assert_eq!(prediction.first.flap_edge_radius_mm, Some(0.0));
 }
 
 /// A coarse shell of this star, whose arms touch while it is empty, presses with 21 +- 3 N (docs/ranges.md).

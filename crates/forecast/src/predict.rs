@@ -332,10 +332,10 @@ impl PlacedCase<'_> {
                 Some(PredictionWarning::new(WarningCode::NoModel, untried_message(&self.case)))
             }
             _ => {
-                // The requested quantity: the force where there is an object, else the final radius.
+                // The requested quantity: the force where there is an object, else the closed width.
                 let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
                 let parts = [
-                    ("the final radius", radius.map(|range| relative_error(rest_radius, range))),
+                    ("the closed width", radius.map(|range| relative_error(rest_radius, range))),
                     ("the force on the object", force.map(|(force, range)| relative_error(force, range))),
                 ];
                 let wide = parts.into_iter().filter_map(|(what, part)| Some((what, part?)));

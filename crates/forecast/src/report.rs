@@ -107,7 +107,14 @@ fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is
         star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.contact_angle.to_degrees()));
     let contraction = star.contraction.map(|c| 100.0 * c);
     let (radial, of_hinges) = (star.radial_stiffness_N_per_m, &ranges.hinge_stiffness_Nm);
-    quantity("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm", is_asked);
+    let closed_range = ranges.final_radius_mm.map(|range| scaled(range, 2.0));
+    quantity(
+        "closes to, across",
+        star.final_radius_mm.map(|radius| 2.0 * radius),
+        closed_range,
+        "mm",
+        is_asked,
+    );
     quantity("contraction", contraction, ranges.contraction.map(percent), "%", is_asked);
     if is_full {
         quantity("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg", is_asked);
@@ -160,7 +167,7 @@ fn seal_lines(page: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     line(page, "burst pressure", burst);
 }
 
-/// The forces on the objects of the requested radii.
+/// The forces on the objects of the requested radii, by their widths as all of the page.
 fn force_lines(page: &mut String, star: &StarPrediction, is_limit: bool) {
     for ForceAt { radius, force, low, high } in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
@@ -171,7 +178,7 @@ fn force_lines(page: &mut String, star: &StarPrediction, is_limit: bool) {
             (Some(force), None) => without_range(force, "N", is_limit),
             (None, _) => "unknown".to_owned(),
         };
-        line(page, &format!("force at {} mm", Readable(*radius)), text);
+        line(page, &format!("force on {} mm across", Readable(2.0 * radius)), text);
     }
 }
 
@@ -222,7 +229,7 @@ fn pressure_table(page: &mut String, rows: &[PressureRow]) {
         let force = if has_force { "force on the object       " } else { "" };
         let _ = writeln!(
             page,
-            "\n  at the pressure        final radius              {force}stretch   burst margin"
+            "\n  at the pressure        closes to, across         {force}stretch   burst margin"
         );
     }
     for row in rows {
@@ -230,7 +237,7 @@ fn pressure_table(page: &mut String, rows: &[PressureRow]) {
     }
     if let Some(best) = rows.iter().position(|row| row.best) {
         let criterion =
-            if has_force { "the largest lower end of the force's range" } else { "the least final radius" };
+            if has_force { "the largest lower end of the force's range" } else { "the least closed width" };
         let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
         let _ = writeln!(page, "  best: {criterion}, without bursting{end}");
     }
@@ -252,7 +259,11 @@ fn pressure_text(page: &mut String, row: &PressureRow, has_force: bool) {
         page,
         "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
-        shown::optional_with_range(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        shown::optional_with_range(
+            Some(2.0 * row.final_radius_mm),
+            row.radius_range_mm.map(|range| scaled(range, 2.0)),
+            "mm"
+        ),
         100.0 * row.stretch,
         row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
     );

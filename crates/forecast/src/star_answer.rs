@@ -49,7 +49,7 @@ pub(super) fn write_outcome(
         star.graspable_radius_mm = Some(outcome.graspable.map(mm));
         star.object_force_N = outcome.object_force();
         star.payload_kg = outcome.payload;
-        star.flap_edge_radius_mm = Some(mm(outcome.rest.radius - case.flap()));
+        star.flap_edge_radius_mm = Some(mm((outcome.rest.radius - case.flap()).max(0.0)));
         let grasp = inflated.grasp(&outcome.rest);
         let flap = outcome.flap_force(case, inflated, grasp.as_ref());
         star.flap_force_N = flap.and_then(|flap| flap.force);

@@ -400,7 +400,7 @@ class Prediction:
         """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
     @property
     def flap_edge_radius_mm(self) -> float | None:
-        """Radius of the hole's cut edge in front of the corners of the closed star, mm: the final radius less band and flap. It touches first."""
+        """Radius of the hole's cut edge in front of the corners of the closed star, mm: the final radius less band and flap, or 0. It touches first."""
     @property
     def flap_force_N(self) -> float | None:
         """Radial force of one star on the object while the flap in front of its corners stays straight, N: the largest that it can be. `object_force_N` is that of a flap which gives way."""

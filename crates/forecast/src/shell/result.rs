@@ -25,8 +25,10 @@ pub fn star_text(page: &mut String, star: &StarPrediction, is_full: bool) {
     line(page, "model", format!("{}{}", star.model, search.unwrap_or_default()));
     line(page, "arm length", format!("{} mm", Readable(star.arm_length_mm)));
     line(page, "tip angle at rest", show(star.tip_angle_deg, "deg", mesh.tip_angle_deg));
-    line(page, "final radius", show(star.final_radius_mm, "mm", mesh.final_radius_mm));
-    line(page, "radius of the flap's edge", show(star.flap_edge_radius_mm, "mm", mesh.final_radius_mm));
+    let across =
+        |radius: Option<f64>| show(radius.map(|radius| 2.0 * radius), "mm", 2.0 * mesh.final_radius_mm);
+    line(page, "closes to, across", across(star.final_radius_mm));
+    line(page, "flap's edge, across", across(star.flap_edge_radius_mm));
     let contraction = star.contraction.map(|part| 100.0 * part);
     line(page, "contraction", show(contraction, "%", 100.0 * mesh.contraction));
     let stiffness = star.radial_stiffness_N_per_m;
@@ -43,7 +45,7 @@ pub fn star_text(page: &mut String, star: &StarPrediction, is_full: bool) {
     line(page, "the same if corners rub on it", rubbing);
     let forces = star.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten());
     for (ForceAt { radius, force, .. }, error) in forces {
-        line(page, &format!("force at {} mm", Readable(*radius)), show(*force, "N", *error));
+        line(page, &format!("force on {} mm across", Readable(2.0 * radius)), show(*force, "N", *error));
     }
     let pull = star.seal_pull_N_per_mm.zip(star.seal_pull_at_mm);
     let pull = pull.map(|(value, at_mm)| MeshedPlace { value, mesh_error: mesh.seal_pull_N_per_mm, at_mm });

@@ -153,7 +153,7 @@ impl ShellRun {
             object_force_friction_N: case
                 .friction_range
                 .and_then(|[_, most]| measured.object_force_with(most)),
-            flap_edge_radius_mm: Some(measured.radius.value - mm(case.flap())),
+            flap_edge_radius_mm: Some((measured.radius.value - mm(case.flap())).max(0.0)),
             flap_force_N: measured
                 .object
                 .and_then(|object| measured.force_at(object + case.flap()))
@@ -278,7 +278,10 @@ fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String
         ),
         (
             radius.error > 0.05 * radius.value,
-            format!("the final radius is {}: use finer meshes", meshed(radius.value, radius.error, "mm")),
+            format!(
+                "the star closes to {}, across: use finer meshes",
+                meshed(2.0 * radius.value, 2.0 * radius.error, "mm")
+            ),
         ),
     ];
     candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
