@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use design::{Refusals, Warning};
 use proof::verify::Finding;
-use spec::{Code, Fault, Faults, NewSpec, RawSpec, Severity, Source, has_default};
+use spec::{Code, Fault, Faults, RawSpec, Severity, Source, has_default};
 
 /// Refusals of the design of `raw`, read from `source`, as faults at their keys.
 pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
@@ -58,15 +58,6 @@ pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
         value["at_mm"] = json!(drawn_place.at);
     }
     value
-}
-
-/// `faults` with the command that writes a new spec, for interfaces that have commands.
-#[must_use]
-pub fn offering_commands(faults: Faults) -> Faults {
-    faults.offer(|new_spec| match new_spec {
-        NewSpec::Starter => "`stargrip-cam new` writes a whole spec to begin with",
-        NewSpec::FromDrawing => "`stargrip-cam new --drawing FILE` writes a spec from a drawing",
-    })
 }
 
 /// A warning about a design: its code, its key, the finding, the remedy, and the place in a drawing, null without one.

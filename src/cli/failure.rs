@@ -6,13 +6,13 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::answer::refused::{finding_json, offering_commands, refusal, refused_by};
+use crate::answer::refused::{finding_json, refusal, refused_by};
 use crate::cli::escape::{escaped, escaped_line};
 use crate::cli::findings::Unproven;
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::{PublishFault, interrupt};
 use crate::pipeline::CommandCode;
-use spec::{Code, Faults};
+use spec::{Code, Faults, NewSpec};
 
 /// The reason why a command failed, or did only a part of its work.
 #[derive(Debug)]
@@ -151,7 +151,15 @@ pub(super) fn reason(operation: &str, error: &io::Error) -> String {
 
 impl From<Faults> for Failure {
     fn from(faults: Faults) -> Self {
-        Self::Faults(offering_commands(faults))
+        Self::Faults(faults.offer(new_command))
+    }
+}
+
+/// The command that writes a new spec.
+fn new_command(new_spec: NewSpec) -> &'static str {
+    match new_spec {
+        NewSpec::Starter => "`stargrip-cam new` writes a whole spec to begin with",
+        NewSpec::FromDrawing => "`stargrip-cam new --drawing FILE` writes a spec from a drawing",
     }
 }
 

@@ -282,23 +282,25 @@ fn proposals_can_be_sealed() {
     );
 }
 
+/// An SVG with black `curves` and a red hose on the left.
+fn with_hose(curves: &str) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\" fill=\"none\">\
+         <g stroke=\"#000000\">{curves}</g><path stroke=\"#ff0000\" d=\"M16 50h8\"/></svg>"
+    )
+}
+
 /// An outline that is open where a short line crosses its gap is the edge of the air, in one curve or several, alone or around others. Such a
 /// curve inside of an edge is a weld.
 #[test]
 fn an_outline_that_is_open_at_the_hose_is_an_edge() {
-    let svg = |curves: &str| {
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\" fill=\"none\">\
-             <g stroke=\"#000000\">{curves}</g><path stroke=\"#ff0000\" d=\"M16 50h8\"/></svg>"
-        )
-    };
     let edge_and_port = [("#000000", LayerRole::Air), ("#ff0000", LayerRole::Port)];
     for curves in [
         "<path d=\"M20 55V80H120V20H20V45\"/>",
         "<path d=\"M20 20H120V80H20V55M20 45V20\"/>",
         "<path d=\"M20 20H120V80H20V55\"/><path d=\"M20 45V20\"/><circle cx=\"70\" cy=\"50\" r=\"6\"/>",
     ] {
-        assert_roles(&proposed("a.svg", &svg(curves)), &edge_and_port);
+        assert_roles(&proposed("a.svg", &with_hose(curves)), &edge_and_port);
     }
     let open = CLOSED_EDGE
         .replace("|70|1|", "|70|0|")
@@ -309,7 +311,7 @@ fn an_outline_that_is_open_at_the_hose_is_an_edge() {
     assert_roles(&proposed("a.dxf", &one_layer(&open, HOSE)), &of_one_layer);
     let weld = "<rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/><g stroke=\"#0000ff\">\
                 <path d=\"M60 45V35H90V65H60V55\"/></g><path stroke=\"#00ff00\" d=\"M58 50h4\"/>";
-    let roles = propose_layers("a.svg", svg(weld).as_bytes(), None).expect("a drawing").layers;
+    let roles = propose_layers("a.svg", with_hose(weld).as_bytes(), None).expect("a drawing").layers;
     assert!(roles.iter().any(|(layer, role, _)| layer == "#0000ff" && *role == LayerRole::Seam), "{roles:?}");
 }
 

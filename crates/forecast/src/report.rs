@@ -127,6 +127,16 @@ fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is
     line(page, "payload of this star", star.payload_kg.map(|kg| star_payload(star, kg, is_limit)));
     grip_lines(page, star);
     seal_lines(page, star, pressure);
+    lines_without_range(page, star, is_full);
+    force_lines(page, star, is_limit);
+    for warning in &star.evidence.warnings {
+        line(page, "warning", warning.text.clone());
+    }
+    pressure_table(page, star.pressures.as_deref().unwrap_or_default());
+}
+
+/// Numbers of `star` that have no range; its bendability only if the page `is_full`.
+fn lines_without_range(page: &mut String, star: &StarPrediction, is_full: bool) {
     line(page, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
     let bendability = star.bendability.filter(|_| is_full);
     line(page, "bendability", bendability.map(|bendability| show(bendability, "")));
@@ -135,11 +145,6 @@ fn star_text(page: &mut String, star: &StarPrediction, pressure: Option<f64>, is
     line(page, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
     line(page, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
     line(page, "mass", star.mass_g.map(|mass| show(mass, "g")));
-    force_lines(page, star, is_limit);
-    for warning in &star.evidence.warnings {
-        line(page, "warning", warning.text.clone());
-    }
-    pressure_table(page, star.pressures.as_deref().unwrap_or_default());
 }
 
 /// A value without a range: that of a limit, whose error is unknown, else none.

@@ -176,14 +176,15 @@ mod tests {
         assert!(Faults::new(&source, vec![Fault::error(FaultCode::Name, 0..0, "m")]).refuse());
     }
 
+    fn remedies(faults: &Faults) -> String {
+        faults.list().iter().filter_map(|fault| fault.help.clone()).collect()
+    }
+
     #[test]
     fn an_interface_offers_a_new_spec_in_its_own_words() {
         for (text, remedy) in
             [("", "Starter; or write for instance"), ("<svg/>", "FromDrawing; or name a TOML file")]
         {
-            let remedies = |faults: &Faults| -> String {
-                faults.list().iter().filter_map(|fault| fault.help.clone()).collect()
-            };
             let faults = crate::read(&Source::new("a", text)).expect_err("no spec");
             assert!(!remedies(&faults).contains("stargrip-cam"), "{faults}");
             let offered = faults.offer(|new_spec| match new_spec {

@@ -51,11 +51,10 @@ fn outlines_with_necks(chains: &[Chain], rings: &[DrawnLoop], open: &[(usize, &P
         let Some((start, end)) = chain.path.start().zip(chain.path.end()) else { continue };
         let gap = start.distance(end);
         let chord = Segment::from(Line::new(end, start));
-        let crosses = |line: &Path| line.segments.iter().any(|part| !intersections(part, &chord).is_empty());
-        let is_crossed =
-            || short.iter().any(|(number, line)| !chain.elements.contains(number) && crosses(line));
+        let mut lines = short.iter().filter(|(number, _)| !chain.elements.contains(number));
         let is_wide = gap > LARGEST_NECK.min(chain.path.length() / LEAST_OUTLINE);
-        if !is_wide && enclosures.enclosing(start).is_empty() && is_crossed() {
+        if !is_wide && enclosures.enclosing(start).is_empty() && lines.any(|(_, line)| crosses(line, &chord))
+        {
             let segments = chain.path.segments.iter().copied().chain([chord]);
             outlines.push(DrawnLoop {
                 path: Path::closed(segments.collect()),
@@ -65,6 +64,11 @@ fn outlines_with_necks(chains: &[Chain], rings: &[DrawnLoop], open: &[(usize, &P
         }
     }
     outlines
+}
+
+/// Whether `line` crosses `chord`.
+fn crosses(line: &Path, chord: &Segment) -> bool {
+    line.segments.iter().any(|segment| !intersections(segment, chord).is_empty())
 }
 
 /// Open curves, each of which begins where the one before ends, and the numbers of their elements.

@@ -214,7 +214,7 @@ struct EdgePaths {
     enclosures: Enclosures,
     /// The elements that make them, by number.
     elements: BTreeSet<usize>,
-    /// Those of outlines that are open at a port.
+    /// The elements of outlines that are open at a port.
     elements_with_necks: BTreeSet<usize>,
     /// The elements that make each of them.
     elements_of_paths: Vec<Vec<usize>>,

@@ -25,10 +25,11 @@ pub fn star_text(page: &mut String, star: &StarPrediction, is_full: bool) {
     line(page, "model", format!("{}{}", star.model, search.unwrap_or_default()));
     line(page, "arm length", format!("{} mm", Readable(star.arm_length_mm)));
     line(page, "tip angle at rest", show(star.tip_angle_deg, "deg", mesh.tip_angle_deg));
-    let across =
-        |radius: Option<f64>| show(radius.map(|radius| 2.0 * radius), "mm", 2.0 * mesh.final_radius_mm);
-    line(page, "closes to, across", across(star.final_radius_mm));
-    line(page, "flap's edge, across", across(star.flap_edge_radius_mm));
+    let [closed_width, flap_width] =
+        [star.final_radius_mm, star.flap_edge_radius_mm].map(|radius| radius.map(|radius| 2.0 * radius));
+    let width_error = 2.0 * mesh.final_radius_mm;
+    line(page, "closes to, across", show(closed_width, "mm", width_error));
+    line(page, "flap's edge, across", show(flap_width, "mm", width_error));
     let contraction = star.contraction.map(|part| 100.0 * part);
     line(page, "contraction", show(contraction, "%", 100.0 * mesh.contraction));
     let stiffness = star.radial_stiffness_N_per_m;
