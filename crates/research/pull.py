@@ -83,7 +83,7 @@ def compare(program, path):
             ratios.append((int(words[0]), narrow, float(words[1]) / predicted(program, star)))
     groups = [(f"{first} to {last}", [row for row in ratios if first <= row[0] <= last]) for first, last in SETS]
     groups += [(f"w/R {low} to {high}", [row for row in ratios if low <= row[1] < high]) for low, high in BINS]
-    for name, group in groups:
+    for name, group in [(name, group) for name, group in groups if group]:
         parts = [part for _, _, part in group]
         mean = math.exp(sum(map(math.log, parts)) / len(parts))
         ranges = [tried_range(narrow) for _, narrow, _ in group]
