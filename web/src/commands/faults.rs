@@ -18,7 +18,7 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
         let mut value = fault_json(faults, fault);
         let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
         let is_for_command = value["remedy"].as_str().is_some_and(|remedy| remedy.contains("`stargrip-cam "));
-        if fault.code == FaultCode::NotASpec && is_for_command {
+        if FaultCode::NotASpec == fault.code && is_for_command {
             value["remedy"] = INSTEAD.into();
         }
         value["warning"] = json!(fault.level == Severity::Warning);
