@@ -5,7 +5,8 @@ use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded::{ActuatorQuestion, actuator_keywords, actuator_question};
 use stargrip_cam::forecast::actuator::actuate;
 use stargrip_cam::forecast::shell::actuator as by_shell;
-use stargrip_cam::shell::cases::{ShellFault, Symmetry};
+use stargrip_cam::forecast::shell::sheet::ModelledSheet;
+use stargrip_cam::shell::cases::ShellFault;
 
 use crate::answer::ActuatorPrediction;
 use crate::faults::{of_failure, plain};
@@ -51,5 +52,5 @@ pub(crate) fn actuator(
         line.watched(true, |watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
     let (answer, shape) = computed_answer.map_err(|fault: ShellFault| refused(fault.to_string()))?;
-    ActuatorPrediction::new(py, answer, Some(Mesh { shape, symmetry: Symmetry::Mirror, seams: Vec::new() }))
+    ActuatorPrediction::new(py, answer, Some(Mesh { sheet: ModelledSheet::of_actuator(shape) }))
 }

@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple, PyType};
-use stargrip_cam::geom::{Path, Point};
-use stargrip_cam::shell::cases::{InflatedShape, Symmetry, WholeBody};
-use stargrip_cam::units::Length;
+use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
+use stargrip_cam::forecast::shell::sheet::ModelledSheet;
+use stargrip_cam::shell::cases::WholeBody;
 
 use crate::arrays::{integers, rows};
 use crate::equality::{has_same_content, hash_of_text};
@@ -22,19 +21,10 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// The body of which `shape` is a part; each node on a seal belongs to the nearest of `seams`, or to "seam" without any.
-    pub(crate) fn new(shape: &InflatedShape, symmetry: Symmetry, seams: &[(String, Path)]) -> Self {
-        let surface = shape.body(symmetry);
-        let mut nodes_by_seam: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-        for node in &surface.sealed {
-            let [x, y] = surface.flat[*node].map(|metres| Length::from_metres(metres).0);
-            let place = Point::new(x, y);
-            let nearest =
-                seams.iter().min_by(|(_, a), (_, b)| a.distance(place).total_cmp(&b.distance(place)));
-            let name = nearest.map_or("seam", |(name, _)| name.as_str());
-            nodes_by_seam.entry(name.to_owned()).or_default().push(*node);
-        }
-        Self { surface, seams: nodes_by_seam }
+    /// The body of which `sheet` is a part; each node on a seal belongs to the nearest seam, or to "seam" without any.
+    pub(crate) fn new(sheet: &ModelledSheet) -> Self {
+        let surface = sheet.shape.body(sheet.symmetry);
+        Self { seams: surface.points_by_seam(&sheet.seams), surface }
     }
 }
 
@@ -78,6 +68,16 @@ impl Body {
             seams.set_item(name, integers(py, &numbers(nodes.iter().copied()), &[nodes.len()])?)?;
         }
         Ok(seams)
+    }
+
+    /// The body as a binary STL file, mm.
+    fn stl<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.surface.stl())
+    }
+
+    /// The body as the text of an OBJ file, mm: groups of triangles for the sheets, and groups of lines for the seams.
+    fn obj(&self) -> String {
+        self.surface.obj(&self.seams)
     }
 
     /// Called by `__reduce__`: nodes and flat nodes in m, triangles with their images, seams.

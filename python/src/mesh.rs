@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use stargrip_cam::geom::Path;
-use stargrip_cam::shell::cases::{InflatedShape, Symmetry};
+use stargrip_cam::forecast::shell::sheet::ModelledSheet;
+use stargrip_cam::shell::cases::{BodySeam, InflatedShape, Symmetry};
 
 use crate::arrays::{floats, integers, rows};
 use crate::body::Body;
@@ -15,11 +15,7 @@ use crate::shapes::Contour;
 /// half a sector beside corner 1, for a V-actuator one sheet of half: `whole()` adds the mirror images.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Mesh {
-    pub(crate) shape: InflatedShape,
-    /// How the sheet is repeated in the whole body.
-    pub(crate) symmetry: Symmetry,
-    /// The seams of the whole body; empty for a V-actuator.
-    pub(crate) seams: Vec<(String, Path)>,
+    pub(crate) sheet: ModelledSheet,
 }
 
 #[pymethods]
@@ -27,48 +23,48 @@ impl Mesh {
     /// Positions of the nodes: (N, 3), mm; the axis of a star is z.
     #[getter]
     fn nodes_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &self.shape.points, 1e3)
+        rows(py, &self.sheet.shape.points, 1e3)
     }
 
     /// Positions of the nodes on the flat sheet: (N, 2), mm.
     #[getter]
     fn flat_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &self.shape.flat, 1e3)
+        rows(py, &self.sheet.shape.flat, 1e3)
     }
 
     /// The nodes of each triangle: (M, 3), int64, from 0.
     #[getter]
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let nodes = self.shape.triangles.as_flattened().iter();
+        let nodes = self.sheet.shape.triangles.as_flattened().iter();
         // The number of nodes is far below the limit of an integer.
         let nodes: Vec<i64> = nodes.map(|node| i64::try_from(*node).unwrap_or(i64::MAX)).collect();
-        integers(py, &nodes, &[self.shape.triangles.len(), 3])
+        integers(py, &nodes, &[self.sheet.shape.triangles.len(), 3])
     }
 
     /// Principal tensions of each triangle, the larger first: (M, 2), N/mm. Below 0 it is compressed.
     #[getter]
     #[expect(non_snake_case, reason = "names contain units in their usual spelling")]
     fn tension_N_per_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &self.shape.tension, 1e-3)
+        rows(py, &self.sheet.shape.tension, 1e-3)
     }
 
     /// Stretches of each triangle along the principal tensions: (M, 2); 0.01 is one per cent longer.
     #[getter]
     fn stretch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &self.shape.stretch, 1.0)
+        rows(py, &self.sheet.shape.stretch, 1.0)
     }
 
     /// Principal curvatures of each triangle: (M, 2), 1/mm.
     #[getter]
     fn curvature_per_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &self.shape.curvature, 1e-3)
+        rows(py, &self.sheet.shape.curvature, 1e-3)
     }
 
     /// Largest stretch of each node's triangles: (N,), for plots that colour nodes.
     #[getter]
     fn node_stretch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut largest = vec![f64::NEG_INFINITY; self.shape.points.len()];
-        for (nodes, stretch) in self.shape.triangles.iter().zip(&self.shape.stretch) {
+        let mut largest = vec![f64::NEG_INFINITY; self.sheet.shape.points.len()];
+        for (nodes, stretch) in self.sheet.shape.triangles.iter().zip(&self.sheet.shape.stretch) {
             for node in nodes {
                 largest[*node] = largest[*node].max(stretch[0]);
             }
@@ -78,12 +74,12 @@ impl Mesh {
 
     /// The whole body, closed: both sheets and all mirror images, with named seams.
     fn whole(&self, py: Python<'_>) -> Body {
-        py.detach(|| Body::new(&self.shape, self.symmetry, &self.seams))
+        py.detach(|| Body::new(&self.sheet))
     }
 
     /// The sheet as the text of a VTU file, which ParaView reads.
     fn vtu(&self, py: Python<'_>) -> PyResult<String> {
-        self.shape.vtu().map_err(|fault| plain(py, "Error", "vtu", &fault.to_string()))
+        self.sheet.shape.vtu().map_err(|fault| plain(py, "Error", "vtu", &fault.to_string()))
     }
 
     /// Called by `__reduce__`: nodes and flat nodes in m, triangles, tensions in N/m, stretches, curvatures in 1/m; the number of sectors,
@@ -109,13 +105,14 @@ impl Mesh {
             1 => Symmetry::Mirror,
             count => Symmetry::Sectors(count),
         };
-        let seams = seams.into_iter().map(|(name, contour)| (name, contour.get().0.clone())).collect();
+        let seams =
+            seams.into_iter().map(|(name, contour)| BodySeam { name, center_line: contour.get().0.clone() });
         let shape = InflatedShape { points, flat, triangles, tension, stretch, curvature };
-        Ok(Self { shape, symmetry, seams })
+        Ok(Self { sheet: ModelledSheet { shape, symmetry, seams: seams.collect() } })
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { shape, symmetry, seams } = slf.get();
+        let ModelledSheet { shape, symmetry, seams } = &slf.get().sheet;
         let InflatedShape { points, flat, triangles, tension, stretch, curvature } = shape;
         let sectors = match symmetry {
             Symmetry::Sheets => 0,
@@ -123,7 +120,7 @@ impl Mesh {
             Symmetry::Sectors(count) => *count,
         };
         let seams: Vec<(&String, Contour)> =
-            seams.iter().map(|(name, path)| (name, Contour(path.clone()))).collect();
+            seams.iter().map(|seam| (&seam.name, Contour(seam.center_line.clone()))).collect();
         let content = ((points, flat), triangles, [tension, stretch, curvature], sectors, seams);
         Ok((slf.get_type().getattr("_restored")?, content.into_pyobject(slf.py())?))
     }
@@ -137,6 +134,10 @@ impl Mesh {
     }
 
     fn __repr__(&self) -> String {
-        format!("<Mesh: {} nodes, {} triangles>", self.shape.points.len(), self.shape.triangles.len())
+        format!(
+            "<Mesh: {} nodes, {} triangles>",
+            self.sheet.shape.points.len(),
+            self.sheet.shape.triangles.len()
+        )
     }
 }

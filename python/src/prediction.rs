@@ -6,11 +6,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded, StarQuestion};
-use stargrip_cam::design::{Design, PlacedPart, Refusals};
+use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::predict::PredictFault;
+use stargrip_cam::forecast::shell::sheet::ModelledSheet;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
-use stargrip_cam::sealed::Seam;
-use stargrip_cam::shell::cases::{InflatedShape, Symmetry, Watch};
+use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{ModelChoice, ProductKind, key};
 
 use crate::answer::of_gripper;
@@ -127,27 +127,5 @@ fn answer(
         return Err(Refused::Model(ShellRefusal::Fault(fault)));
     }
     let (answer, shape) = star_question.answer((&spec, &design), watch).map_err(Refused::Model)?;
-    Ok((answer, shape.map(|shape| mesh_of(&design, shape))))
-}
-
-/// The sheet `shape` of `design` with what makes a whole body of it: of a star the first one's symmetry and seams, of a drawing all seams.
-fn mesh_of(design: &Design, shape: InflatedShape) -> Mesh {
-    let limit = if design.assembly().is_some() { 1 } else { usize::MAX };
-    let pieces: Vec<&PlacedPart> = design.firsts().take(limit).collect();
-    let is_alone = pieces.len() == 1;
-    let seams = pieces.iter().flat_map(|piece| {
-        let seams = design.part(piece).shape().seams.iter();
-        seams.map(move |seam| (seam_name(piece, seam, is_alone), seam.center_line.clone()))
-    });
-    let symmetry = match design.assembly().and_then(|assembly| assembly.distinct.first()) {
-        Some(star) => Symmetry::of_star(star.star.n, &shape),
-        None => Symmetry::Sheets,
-    };
-    Mesh { seams: seams.collect(), symmetry, shape }
-}
-
-/// The name of a seam of the mesh, with that of its piece unless the piece `is_alone`.
-fn seam_name(piece: &PlacedPart, seam: &Seam, is_alone: bool) -> String {
-    let name = if seam.name.is_empty() { "seam" } else { &seam.name };
-    if is_alone { name.to_owned() } else { format!("{} {name}", piece.name()) }
+    Ok((answer, shape.map(|shape| Mesh { sheet: ModelledSheet::of_design(&design, shape) })))
 }

@@ -65,6 +65,9 @@ def test_a_drawn_body_is_closed_and_its_seams_have_names(pillow: sg.Spec) -> Non
     assert body.images.max() == len(said.mesh.triangles) - 1
     back = pickle.loads(pickle.dumps(body))
     assert repr(back) == repr(body) and np.array_equal(back.triangles, body.triangles)
+    assert len(body.stl()) == 84 + 50 * len(body.triangles) and back.stl() == body.stl()
+    groups = {line[7:] for line in body.obj().splitlines() if line.startswith("g seam-")}
+    assert groups == set(body.seams) and back.obj() == body.obj()
 
 
 def test_the_bodies_of_a_star_and_of_an_actuator_are_closed(gripper: sg.Spec) -> None:

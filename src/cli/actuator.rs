@@ -11,6 +11,7 @@ use forecast::model_selection::named_limit;
 use forecast::pressures::outside_section;
 use forecast::shell::Detail;
 use forecast::shell::actuator;
+use forecast::shell::sheet::ModelledSheet;
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::strength::ElasticSheet;
 use spec::units::{Angle, Length, Pressure};
@@ -107,7 +108,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return args.shell.show(&question, args.verbosity, |watch| {
             let answer = actuator::actuate(&actuator, &angles, detail, watch);
             let (prediction, shape) = answer.map_err(|fault| refused(&fault))?;
-            Ok((prediction.to_json(), prediction.to_text(), Some(shape)))
+            Ok((prediction.to_json(), prediction.to_text(), Some(ModelledSheet::of_actuator(shape))))
         });
     };
     args.shell.not_by_others()?;

@@ -40,28 +40,43 @@ impl Cache {
     }
 
     /// The parts of a stored answer; `None` if there is none or it is damaged.
-    pub(super) fn get(&self, key: &str) -> Option<Vec<String>> {
+    pub(super) fn get(&self, key: &str) -> Option<Vec<Vec<u8>>> {
         let path = self.dir.as_ref()?.join(key);
-        let text = fs::read_to_string(Some(path).filter(|path| path.is_file())?).ok()?;
-        let (sum, parts) = text.split_once('\n')?;
-        if sum != sha256(parts) {
+        let stored = fs::read(Some(path).filter(|path| path.is_file())?).ok()?;
+        let (sum, content) = divided_at_line(&stored)?;
+        if sum != sha256(content).as_bytes() {
             return None;
         }
-        serde_json::from_str(parts).ok()
+        let (lengths, mut rest) = divided_at_line(content)?;
+        let lengths: Vec<usize> = serde_json::from_slice(lengths).ok()?;
+        let mut parts = Vec::new();
+        for length in lengths {
+            let (part, remaining) = rest.split_at_checked(length)?;
+            parts.push(part.to_vec());
+            rest = remaining;
+        }
+        Some(parts)
     }
 
-    /// Stores an answer atomically.
-    pub(super) fn store(&self, key: &str, parts: &[&str]) {
+    /// Stores an answer atomically: its checksum, the lengths of its parts, and the parts.
+    pub(super) fn store(&self, key: &str, parts: &[Vec<u8>]) {
         let Some(dir) = &self.dir else { return };
-        let Ok(parts) = serde_json::to_string(parts) else { return };
-        let text = format!("{}\n{parts}", sha256(&parts));
-        let _ = fs::create_dir_all(dir).and_then(|()| write_whole(&dir.join(key), text.as_bytes()));
+        let lengths: Vec<usize> = parts.iter().map(Vec::len).collect();
+        let content = [format!("{lengths:?}\n").as_bytes(), &parts.concat()].concat();
+        let stored = [format!("{}\n", sha256(&content)).as_bytes(), &content].concat();
+        let _ = fs::create_dir_all(dir).and_then(|()| write_whole(&dir.join(key), &stored));
     }
 }
 
 /// The path in a variable of the environment, if it is an absolute one.
 fn absolute_path(variable: &str) -> Option<PathBuf> {
     env::var_os(variable).map(PathBuf::from).filter(|path| path.is_absolute())
+}
+
+/// The first line without its end, and the rest.
+fn divided_at_line(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
+    let end = bytes.iter().position(|byte| *byte == b'\n')?;
+    Some((&bytes[..end], &bytes[end + 1..]))
 }
 
 /// The library with this program's code, if it is not in the process's own file.
@@ -84,8 +99,9 @@ mod tests {
         let key = cache.key(&["ab", "c"]);
         assert_ne!(key, cache.key(&["a", "bc"]));
         assert_eq!(cache.get(&key), None);
-        cache.store(&key, &["x\n", "\"y\""]);
-        assert_eq!(cache.get(&key), Some(vec!["x\n".to_owned(), "\"y\"".to_owned()]));
+        let parts = [b"x\n".to_vec(), Vec::new(), vec![0, 255]];
+        cache.store(&key, &parts);
+        assert_eq!(cache.get(&key), Some(parts.to_vec()));
         let path = dir.path().join("new").join(&key);
         let bytes = fs::read(&path).expect("kept");
         for torn in [0, 10, 64, 65, bytes.len() - 1] {
@@ -94,6 +110,6 @@ mod tests {
         }
         let entries: Vec<_> = fs::read_dir(dir.path().join("new")).expect("a folder").collect();
         assert_eq!(entries.len(), 1);
-        Cache { dir: None }.store(&key, &["x"]);
+        Cache { dir: None }.store(&key, &parts);
     }
 }

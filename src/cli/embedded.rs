@@ -172,7 +172,8 @@ pub fn nearest<'k>(name: &str, keywords: &'k [String]) -> Option<&'k str> {
 }
 
 /// Options about the output, the cache, and the text of the spec, which a caller has read already.
-const OF_THE_SCREEN: [&str; 7] = ["verbose", "quiet", "json", "output", "vtu", "no-cache", "fabric"];
+const OF_THE_SCREEN: [&str; 9] =
+    ["verbose", "quiet", "json", "output", "vtu", "stl", "obj", "no-cache", "fabric"];
 
 /// The arguments of a command from its options and the spec's path, if it takes one.
 fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {

@@ -20,6 +20,7 @@ use forecast::predict::{add_curve, predict};
 use forecast::prediction::Prediction;
 use forecast::report;
 use forecast::shell::request::no_pressure;
+use forecast::shell::sheet::ModelledSheet;
 use forecast::shell::star;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
@@ -41,7 +42,7 @@ pub(super) struct Args {
     model: Option<ModelChoice>,
     /// The cheapest model with an error of at most this, such as "2 %": the table of section, then coarse, medium and fine shells. It needs a
     /// pressure.
-    #[arg(long, value_name = "ERROR", allow_hyphen_values = true, value_parser = quantity::<Percent>(Allowed::half_open(0.0, 100.0)), conflicts_with_all = ["model", "fineness", "vtu"])]
+    #[arg(long, value_name = "ERROR", allow_hyphen_values = true, value_parser = quantity::<Percent>(Allowed::half_open(0.0, 100.0)), conflicts_with_all = ["model", "fineness", "vtu", "stl", "obj"])]
     accuracy: Option<Percent>,
     /// Also the force on round objects of these radii, at most 7: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
@@ -277,7 +278,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let answer = |watch: &Watch<'_>| {
         let (answer, shape) =
             question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
-        Ok((answer.json(), answer.text(&spec, args.verbosity.verbose), shape))
+        let sheet = shape.map(|shape| ModelledSheet::of_design(&design, shape));
+        Ok((answer.json(), answer.text(&spec, args.verbosity.verbose), sheet))
     };
     let inputs = if let Some(pieces) = design.drawn_pieces() {
         args.refuse_those_of_stars()?;

@@ -1,21 +1,22 @@
 //! Common options and functions of commands that run the shell model: fineness, progress, interruption, cache.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::cli::cache::Cache;
 use crate::cli::failure::Failure;
 use crate::cli::interrupt::Listening;
 use crate::cli::load::Loaded;
 use crate::cli::progress;
-use crate::cli::text_file::{refuse_foreign, replace};
+use crate::cli::text_file::{refuse_foreign, replace_bytes};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::pipeline::no_prediction;
 use design::{RefusalCode, Refusals};
 use forecast::pressures::pressure_finding;
+use forecast::shell::sheet::ModelledSheet;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
-use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
+use inflatable::shell::cases::{SOLID_TITLE, ShellFault, Watch};
 
 /// Arguments for the shell model only.
 #[derive(clap::Args, Debug)]
@@ -26,6 +27,12 @@ pub(super) struct ShellArgs {
     /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
+    /// For the shell: write the inflated body, both sheets and all sectors, as a closed STL file in mm.
+    #[arg(long, value_name = "FILE")]
+    stl: Option<PathBuf>,
+    /// For the shell: write the inflated body as an OBJ file in mm, with groups for sheets and seams.
+    #[arg(long, value_name = "FILE")]
+    obj: Option<PathBuf>,
     /// For the shell: do not use the cache.
     #[arg(long)]
     no_cache: bool,
@@ -37,7 +44,8 @@ const MESHES: [&str; 3] = ["A first look: seconds", "For most purposes", "Where 
 impl ShellArgs {
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
-        let options = [(self.vtu.is_some(), "--vtu"), (self.fineness.is_some(), "--fineness")];
+        let files = SheetFile::ALL.map(|file| (self.path(file).is_some(), file.option()));
+        let options = files.into_iter().chain([(self.fineness.is_some(), "--fineness")]);
         match options.into_iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::Usage(format!(
                 "{option} needs the shell model: add --model shell, or leave it out"
@@ -46,32 +54,104 @@ impl ShellArgs {
         }
     }
 
-    /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute` as JSON, text and shape.
+    /// Where `file` is written; `None` if it is not.
+    fn path(&self, file: SheetFile) -> Option<&Path> {
+        match file {
+            SheetFile::Vtu => self.vtu.as_deref(),
+            SheetFile::Stl => self.stl.as_deref(),
+            SheetFile::Obj => self.obj.as_deref(),
+        }
+    }
+
+    /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute` as JSON, text and sheet.
     pub(super) fn show(
         &self,
         question: &str,
         verbosity: Verbosity,
-        compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, Option<InflatedShape>), Failure>,
+        compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, Option<ModelledSheet>), Failure>,
     ) -> Result<(), Failure> {
-        if let Some(path) = &self.vtu {
-            refuse_foreign(path, "a VTU file", |text| text.contains("<VTKFile "))?;
+        for file in SheetFile::ALL {
+            self.path(file).map_or(Ok(()), |path| file.refuse_foreign(path))?;
         }
         let cache = Cache::new(self.no_cache);
-        let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.vtu.is_some())]);
+        let files = SheetFile::ALL.map(|file| self.path(file).is_some());
+        let key = cache.key(&[question, &format!("{:?} {files:?}", self.fineness)]);
         let stored = cache.get(&key).and_then(|parts| parts.try_into().ok());
-        let [json, text, vtu] = if let Some(stored) = stored {
+        let [json, text, vtu, stl, obj] = if let Some(stored) = stored {
             stored
         } else {
-            let (json, text, shape) = watched_by(verbosity, self.fineness.is_some(), compute)?;
-            let vtu = shape.filter(|_| self.vtu.is_some()).map(|shape| shape.vtu()).transpose();
-            let parts = [json, text, vtu.map_err(Failure::message)?.unwrap_or_default()];
-            cache.store(&key, &parts.each_ref().map(String::as_str));
+            let (json, text, sheet) = watched_by(verbosity, self.fineness.is_some(), compute)?;
+            let [vtu, stl, obj] = self.files_of(sheet.as_ref())?;
+            let parts = [json.into_bytes(), text.into_bytes(), vtu, stl, obj];
+            cache.store(&key, &parts);
             parts
         };
-        if let Some(path) = &self.vtu {
-            replace(path, &vtu)?;
+        for (file, bytes) in SheetFile::ALL.into_iter().zip([vtu, stl, obj]) {
+            self.path(file).map_or(Ok(()), |path| replace_bytes(path, &bytes))?;
         }
+        let [text, json] = [text, json].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
         verbosity.show(&text, &json)
+    }
+
+    /// The files of `sheet`, in the order of [`SheetFile::ALL`]; empty where none is written.
+    fn files_of(&self, sheet: Option<&ModelledSheet>) -> Result<[Vec<u8>; 3], Failure> {
+        let mut files = [const { Vec::new() }; 3];
+        for (file, bytes) in SheetFile::ALL.into_iter().zip(&mut files) {
+            if let (Some(sheet), Some(_)) = (sheet, self.path(file)) {
+                *bytes = file.bytes(sheet)?;
+            }
+        }
+        Ok(files)
+    }
+}
+
+/// A file of the inflated sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SheetFile {
+    /// The modelled sheet for ParaView.
+    Vtu,
+    /// The whole body as a solid.
+    Stl,
+    /// The whole body with named groups.
+    Obj,
+}
+
+impl SheetFile {
+    /// Every file.
+    const ALL: [Self; 3] = [Self::Vtu, Self::Stl, Self::Obj];
+
+    /// The option that asks for it.
+    fn option(self) -> &'static str {
+        match self {
+            Self::Vtu => "--vtu",
+            Self::Stl => "--stl",
+            Self::Obj => "--obj",
+        }
+    }
+
+    /// Its content.
+    fn bytes(self, sheet: &ModelledSheet) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Vtu => Ok(sheet.shape.vtu().map_err(Failure::message)?.into_bytes()),
+            Self::Stl => Ok(sheet.shape.body(sheet.symmetry).stl()),
+            Self::Obj => {
+                let body = sheet.shape.body(sheet.symmetry);
+                Ok(body.obj(&body.points_by_seam(&sheet.seams)).into_bytes())
+            }
+        }
+    }
+
+    /// Refuses to write to `path` over a file of another kind.
+    fn refuse_foreign(self, path: &Path) -> Result<(), Failure> {
+        match self {
+            Self::Vtu => refuse_foreign(path, "a VTU file", |text| text.contains("<VTKFile ")),
+            Self::Stl => {
+                refuse_foreign(path, "an STL file of an inflated body", |text| text.starts_with(SOLID_TITLE))
+            }
+            Self::Obj => refuse_foreign(path, "an OBJ file of an inflated body", |text| {
+                text.strip_prefix("# ").is_some_and(|text| text.starts_with(SOLID_TITLE))
+            }),
+        }
     }
 }
 

@@ -77,7 +77,12 @@ pub(super) fn refuse_foreign(
     )))
 }
 
-/// Writes or replaces a file atomically.
+/// Writes or replaces a text file atomically.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    write_whole(path, text.as_bytes()).map_err(|error| Failure::file("write", path, &error))
+    replace_bytes(path, text.as_bytes())
+}
+
+/// Writes or replaces a file atomically.
+pub(super) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(path, bytes).map_err(|error| Failure::file("write", path, &error))
 }

@@ -138,6 +138,34 @@ fn its_sheet_is_a_vtu_file() {
 }
 
 #[test]
+fn its_body_is_a_closed_solid() {
+    let dir = folder();
+    let args = [&ACTUATOR[..], &COARSE, &["--stl", "body.stl", "--obj", "body.obj"]].concat();
+    let read = |name: &str| fs::read(dir.path().join(name)).expect("written");
+    assert!(run(dir.path(), &args).status.success());
+    let [stl, obj] = ["body.stl", "body.obj"].map(read);
+    // Each edge has two triangles, so there are three edges for two of them.
+    let triangles = (stl.len() - 84) / 50;
+    let lines = String::from_utf8(obj.clone()).expect("text");
+    let count = |word: &str| lines.lines().filter(|line| line.starts_with(word)).count();
+    assert_eq!(count("f "), triangles);
+    assert_eq!(count("v ") + triangles - triangles * 3 / 2, 2, "Euler's number of a sphere");
+    assert_eq!((count("g seam"), count("g ")), (1, 3));
+    // From the cache, and over their own kind alone.
+    fs::remove_file(dir.path().join("body.stl")).expect("removed");
+    assert!(run(dir.path(), &args).status.success());
+    assert_eq!((read("body.stl"), read("body.obj")), (stl, obj));
+    for (option, file) in [("--stl", "spec.toml"), ("--obj", "body.stl"), ("--stl", "body.obj")] {
+        let refused = run(dir.path(), &[&ACTUATOR[..], &COARSE, &[option, file]].concat());
+        assert!(
+            refused.status.code() == Some(1) && text(&refused.stderr).contains("file of an inflated body"),
+            "{option} {file}: {}",
+            text(&refused.stderr)
+        );
+    }
+}
+
+#[test]
 fn a_star_is_a_shell_with_its_mesh_errors() {
     let dir = folder();
     let args = ["predict", "spec.toml", "--model", "shell", "--fineness", "coarse"];

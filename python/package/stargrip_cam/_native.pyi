@@ -335,6 +335,10 @@ class Body:
     @property
     def seams(self) -> dict[str, NDArray[np.int64]]:
         """The nodes of each seam by its name: arrays of int64. There the sheets are sealed to each other."""
+    def stl(self) -> bytes:
+        """The body as a binary STL file, mm."""
+    def obj(self) -> str:
+        """The body as the text of an OBJ file, mm: groups of triangles for the sheets, and groups of lines for the seams."""
 
 @final
 class Prediction:

@@ -3,11 +3,12 @@
 //!
 //! [`request`] converts a star to the shell's inputs and its results to numbers with mesh errors, [`star`]
 //! computes a spec's stars, [`actuator`] a single hinge between two arms; [`result`] formats the prediction of
-//! stars; `work` bounds the time that a computation takes.
+//! stars; [`sheet`] has what makes a whole body of a modelled sheet; `work` bounds the time that a computation takes.
 
 pub mod actuator;
 pub mod request;
 pub mod result;
+pub mod sheet;
 pub mod star;
 pub(crate) mod work;
 

@@ -22,6 +22,7 @@ mod refinement;
 mod region;
 mod sector;
 mod shape;
+mod solid;
 mod star;
 #[cfg(test)]
 mod tests;
@@ -43,6 +44,7 @@ pub use region::{
 };
 pub use sector::ModelledSector;
 pub use shape::InflatedShape;
+pub use solid::{BodySeam, SOLID_TITLE};
 pub use star::{FlatStar, InflatedStar, star, star_by_sizes};
 pub use tube::Tube;
 pub use value::Value;
