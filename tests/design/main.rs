@@ -12,6 +12,7 @@ mod hostile;
 mod layers;
 mod links;
 mod marks;
+mod model;
 mod packages;
 mod pictures;
 mod pressed;
