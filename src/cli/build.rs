@@ -18,7 +18,7 @@ use crate::cli::rebuilt::Snapshot;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::is_standard_input;
 use crate::cli::{batch, new, overview, publish, watch};
-use crate::pipeline::{Forecast, Precaution, Proven, Reader};
+use crate::pipeline::{Forecast, Interface, Precaution, Proven};
 use proof::artifact::{Kind, KindRequest};
 
 /// Arguments of `build`.
@@ -166,7 +166,7 @@ fn build_one(
     let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
     let kinds = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
-    let notes = forecast.precautions(Reader::Command(&argument(lasting(spec, &target))));
+    let notes = forecast.precautions(Interface::Command(&argument(lasting(spec, &target))));
     let proven = loaded.proven(forecast, &kinds)?;
     args.kinds.tell_missing(proven.built(), &kinds);
     // The fate of earlier files is reported even with --quiet.

@@ -14,7 +14,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::{batch, overview};
 use crate::emit;
 use crate::emit::FaultMark;
-use crate::pipeline::Reader;
+use crate::pipeline::Interface;
 use design::figures;
 use geom::Point;
 use spec::{DrawnPlace, ProductKind};
@@ -87,7 +87,7 @@ fn check_one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let marks = warnings.map(|warning| mark(warning.drawn.as_deref(), &warning.found, &warning.remedy));
     pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = forecast.precautions(Reader::Command(&argument(spec)));
+    let list = forecast.precautions(Interface::Command(&argument(spec)));
     args.kinds.refuse_programs(&loaded)?;
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;

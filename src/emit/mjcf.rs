@@ -38,7 +38,7 @@ pub fn mjcf(spec: &Spec, design: &StarAssembly, prediction: &Prediction) -> Stri
         if let Some(linkage) = linkage {
             let name = format!("star-{}", placed.index);
             let (z, mass) = (Length(*z).metres(), link_mass(star, predicted));
-            Ring { name, linkage, z, mass, pins: pins(&linkage, *turn) }.write(&mut rings);
+            LinkRing { name, linkage, z, mass, pins: pins(&linkage, *turn) }.write(&mut rings);
         }
     }
     let name = inert(&spec.name, NAME);
@@ -137,7 +137,7 @@ struct RingParts {
 
 /// A star as a chain of links from corner 1 around the axis.
 #[derive(Debug)]
-struct Ring {
+struct LinkRing {
     name: String,
     linkage: Linkage,
     /// Height of its plane, m.
@@ -148,7 +148,7 @@ struct Ring {
     pins: Vec<Point>,
 }
 
-impl Ring {
+impl LinkRing {
     /// Adds the ring to `parts`. Each link is a child of the one before, so its body ends after all others.
     fn write(&self, parts: &mut RingParts) {
         let mut indent = String::from("    ");

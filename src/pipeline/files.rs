@@ -2,7 +2,7 @@
 
 use crate::emit;
 use crate::manifest::{Manifest, ManifestFile, manifest_of};
-use crate::pipeline::{Built, Forecast, Reader, Sources};
+use crate::pipeline::{Built, Forecast, Interface, Sources};
 use design::PressPlan;
 use forecast::charts::charts;
 use forecast::pose::{self, PosedStar};
@@ -138,7 +138,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let glb = scene(forecast)?;
     // The page does not list the cuts.
     let bill = manifest_of(spec, design, programs, &[], None);
-    let precautions = forecast.precautions(Reader::Command(SPEC));
+    let precautions = forecast.precautions(Interface::Command(SPEC));
     let watch: Vec<(&str, &str)> =
         precautions.iter().map(|one| (one.code.as_str(), one.text.as_str())).collect();
     Some(emit::report(&emit::Report {

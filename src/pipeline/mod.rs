@@ -16,12 +16,12 @@ mod coupons;
 mod directory;
 mod feed_check;
 mod files;
+mod interface;
 mod links;
 mod load_check;
 mod planned;
 mod precautions;
 mod proven;
-mod reader;
 mod refused;
 mod sheet_alignment;
 mod weak_process;
@@ -41,10 +41,10 @@ pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{
     FeedCheckFault, PACKAGE_ENDING, ProvenFeedCheck, feed_check, feed_check_ways, prove_feed_check,
 };
+pub use interface::Interface;
 pub use planned::{Planned, no_prediction, no_programs, no_requested_programs};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
-pub use reader::Reader;
 pub use refused::unfit_besides;
 pub use sheet_alignment::{AlignedFault, read_mark};
 

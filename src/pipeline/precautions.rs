@@ -3,7 +3,7 @@
 use crate::airtight;
 use crate::pipeline::code::PrecautionCode;
 use crate::pipeline::weak_process::weak_processes;
-use crate::pipeline::{Forecast, Reader};
+use crate::pipeline::{Forecast, Interface};
 use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
@@ -41,8 +41,8 @@ impl Precaution {
 }
 
 impl Forecast {
-    /// All precautions, the most urgent first, in the words of `reader`.
-    pub fn precautions(&self, reader: Reader<'_>) -> Vec<Precaution> {
+    /// All precautions, the most urgent first, in the words of `interface`.
+    pub fn precautions(&self, interface: Interface<'_>) -> Vec<Precaution> {
         let unfit = self.unfit();
         let is_fit = unfit.is_empty();
         let mut list: Vec<Precaution> = unfit
@@ -51,25 +51,25 @@ impl Forecast {
             .collect();
         list.extend(self.doubt());
         list.extend(weak_seal(self, is_fit));
-        list.extend(strength(self, reader));
+        list.extend(strength(self, interface));
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
         list.extend(fit_valves(self));
-        let notes = weak_processes(self, reader).into_iter();
+        let notes = weak_processes(self, interface).into_iter();
         list.extend(notes.map(|text| Precaution::new(PrecautionCode::WeakProcess, text)));
         list.extend(cut_sheet(self));
-        list.extend(marks(self, reader));
+        list.extend(marks(self, interface));
         if let Some(plan) = PressPlan::new(&self.spec, &self.design) {
             list.extend(before_pressing(&plan));
             return unique(list);
         }
         if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
-            list.extend(fast(self, reader));
-            list.push(generic(self, reader));
+            list.extend(fast(self, interface));
+            list.push(generic(self, interface));
             return unique(list);
         }
-        list.extend(laser(self, reader));
-        list.extend(speed(self, reader));
+        list.extend(laser(self, interface));
+        list.extend(speed(self, interface));
         let requires = self.machine.script.requires.iter();
         list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
         list.extend(version(self));
@@ -113,7 +113,7 @@ fn before_pressing(plan: &PressPlan) -> Vec<Precaution> {
 }
 
 /// What protects from a laser, the settings that its programs rely on, and the test of its power.
-fn laser(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
+fn laser(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
     let controller = &forecast.machine.controller;
     let Some(drive) = controller.laser else { return Vec::new() };
     let safety = LASER_SAFETY.map(|text| Precaution::new(PrecautionCode::LaserSafety, text.to_owned()));
@@ -123,7 +123,7 @@ fn laser(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
         "only a peel test shows whether {} at {} seals this fabric: {} writes one",
         forecast.spec.seal.heat_in_words(),
         forecast.spec.seal.speed,
-        reader.coupons()
+        interface.coupons()
     );
     let peel = Precaution::new(PrecautionCode::LaserSafety, peel);
     safety.into_iter().chain(settings).chain([peel]).collect()
@@ -162,12 +162,12 @@ fn is_unknown(machine: &Machine) -> bool {
 }
 
 /// The list of missing checks on an unknown machine.
-fn generic(forecast: &Forecast, reader: Reader<'_>) -> Precaution {
+fn generic(forecast: &Forecast, interface: Interface<'_>) -> Precaution {
     let text = format!(
         "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], \
          or time the program that {} writes",
         forecast.machine.name,
-        reader.feed_check()
+        interface.feed_check()
     );
     Precaution::new(PrecautionCode::GenericMachine, text)
 }
@@ -257,7 +257,7 @@ fn cut_sheet(forecast: &Forecast) -> Option<Precaution> {
 }
 
 /// The places of the marks above which programs stop.
-fn marks(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
+fn marks(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
     let sheets = forecast.design.sheets.iter().filter(|_| forecast.spec.machine.marks == Marks::Pause);
     let text = |sheet: &SheetLayout| {
         let [a, b] = forecast.design.marks(sheet.index)?;
@@ -269,14 +269,14 @@ fn marks(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
             a.y,
             b.x,
             b.y,
-            reader.align()
+            interface.align()
         ))
     };
     sheets.filter_map(text).map(|text| Precaution::new(PrecautionCode::SheetMarks, text)).collect()
 }
 
 /// The warning that the strength of the seal is unknown.
-fn strength(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
+fn strength(forecast: &Forecast, interface: Interface<'_>) -> Option<Precaution> {
     let _ = forecast.spec.load.as_ref()?.pressure?;
     if forecast.spec.fabric.seal_strength.is_some() {
         return None;
@@ -292,7 +292,7 @@ fn strength(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
     let text = format!(
         "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours ({}) and set `seal_strength` in [fabric]",
         rounded(largest),
-        reader.coupon()
+        interface.coupon()
     );
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))
 }
@@ -307,7 +307,7 @@ fn slow_display(chop: &Chop, speed: Speed) -> String {
 }
 
 /// Whether the machine can move as slowly as the program requires, and whether a fast seal is tested.
-fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
+fn speed(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
     // A chopped seal rests on the controller's acceleration, and a slow one on its lowest feed. Neither can be known
     // from here, so the precaution names the program that measures it.
     let Forecast { spec, machine, .. } = forecast;
@@ -325,7 +325,7 @@ fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
                     format!(" and at least {x} (X) and {y} (Y) steps/mm")
                 }),
                 slow_display(&chop, speed),
-                reader.feed_check()
+                interface.feed_check()
             ),
         )),
         _ if machine.motion.speed_range().is_none() && speed < SLOW => Some((
@@ -333,22 +333,22 @@ fn speed(forecast: &Forecast, reader: Reader<'_>) -> Vec<Precaution> {
             format!(
                 "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
              without reporting it: time the program that {} writes",
-                reader.feed_check()
+                interface.feed_check()
             ),
         )),
         _ => None,
     };
     let slow = slow.map(|(code, text)| Precaution::new(code, text));
-    slow.into_iter().chain(fast(forecast, reader)).collect()
+    slow.into_iter().chain(fast(forecast, interface)).collect()
 }
 
 /// The warning that such a fast seal is untested.
-fn fast(forecast: &Forecast, reader: Reader<'_>) -> Option<Precaution> {
+fn fast(forecast: &Forecast, interface: Interface<'_>) -> Option<Precaution> {
     let speed = forecast.spec.seal.speed;
     let text = format!(
         "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
          {} writes one",
-        reader.coupons()
+        interface.coupons()
     );
     // A laser is as fast as its power allows: the note on its power says that it needs a test.
     (speed > FAST && forecast.spec.seal.power.is_none())

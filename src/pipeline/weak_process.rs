@@ -1,6 +1,6 @@
 //! Seams of several strengths: whether the weak one opens first.
 
-use crate::pipeline::{Forecast, Reader};
+use crate::pipeline::{Forecast, Interface};
 use program::plan::distinct_processes;
 use spec::SealProcess;
 use spec::units::LineForce;
@@ -9,7 +9,7 @@ use spec::units::LineForce;
 const WEAK: [&str; 3] = ["weak", "tear", "peel"];
 
 /// The notes on the processes of the seams of `forecast`: which is the weakest, and which should be but is not.
-pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<String> {
+pub(super) fn weak_processes(forecast: &Forecast, interface: Interface<'_>) -> Vec<String> {
     let processes = distinct_processes(&forecast.programs);
     if processes.len() < 2 {
         return Vec::new();
@@ -29,7 +29,7 @@ pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<Str
         (Some((weakest, strength)), None) => texts.push(format!(
             "process {} is the weakest, {strength}: its seams open first unless others are pulled harder; {}",
             weakest.name,
-            pull_of_each(forecast, reader)
+            pull_of_each(forecast, interface)
         )),
         _ => {}
     }
@@ -37,16 +37,16 @@ pub(super) fn weak_processes(forecast: &Forecast, reader: Reader<'_>) -> Vec<Str
 }
 
 /// The way to the pull on each seam.
-fn pull_of_each(forecast: &Forecast, reader: Reader<'_>) -> String {
-    let Some(drawn) = &forecast.drawn else { return reader.pulls().to_owned() };
+fn pull_of_each(forecast: &Forecast, interface: Interface<'_>) -> String {
+    let Some(drawn) = &forecast.drawn else { return interface.pulls().to_owned() };
     if drawn.prediction.chambers.iter().any(|chamber| chamber.seams.is_some()) {
         // The shell was computed, but its wrinkles were averaged: folds may pull harder.
-        let list = reader.drawn_pulls();
+        let list = interface.drawn_pulls();
         format!(
             "{list} lists the largest pull on each seam, but no burst pressure: which opens first is unknown"
         )
     } else {
-        reader.shell().to_owned()
+        interface.shell().to_owned()
     }
 }
 
@@ -89,7 +89,7 @@ mod tests {
         );
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
         let forecast = Forecast::new(reading.spec, Machine::builtin("generic").expect("built in"));
-        weak_processes(&forecast.expect("a design"), Reader::Command("x.toml"))
+        weak_processes(&forecast.expect("a design"), Interface::Command("x.toml"))
     }
 
     #[test]

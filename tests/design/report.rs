@@ -5,7 +5,7 @@ use serde_json::Value;
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::forecast::charts::{AtRadius, charts};
 use stargrip_cam::geom::Point;
-use stargrip_cam::pipeline::{self, Built, Reader, Sources};
+use stargrip_cam::pipeline::{self, Built, Interface, Sources};
 
 use crate::readers::html::read_html;
 
@@ -112,7 +112,7 @@ fn it_warns_of_what_check_warns_of() {
     let watch = block_of(&page(&gripper))["watch"].clone();
     let warnings: Vec<Value> = gripper
         .forecast
-        .precautions(Reader::Command("spec.toml"))
+        .precautions(Interface::Command("spec.toml"))
         .iter()
         .map(|one| serde_json::json!({ "code": one.code.to_string(), "text": one.text }))
         .collect();
@@ -204,7 +204,7 @@ fn the_player_draws_every_seam_where_it_is() {
     assert_eq!(runs, 2 * design.assembly().expect("stars").stars.len());
 }
 
-/// The reader, which the tests above rely on, refuses content that could run or fetch something.
+/// The interface, which the tests above rely on, refuses content that could run or fetch something.
 #[test]
 fn a_page_that_could_run_or_fetch_something_else_is_refused() {
     let right = page(&built(GRIPPER));

@@ -79,8 +79,10 @@ fn contact_before_heat_and_moves_before_homing_are_found_on_every_machine() {
         let lines: Vec<&str> = good.lines().collect();
         let Some(homing) = lines.iter().position(|line| *line == "G28") else { continue };
         for danger in ["G0 X50 Y50 F1200", "G0 Z-5 F1200", "G1 Z5 F600"] {
-            let code = "unhomed-axis";
-            assert_eq!(missed(&build, SEAL, &lines, homing, danger, code, 0), None, "{name}");
+            // Among lines that the profile gives, any other is a finding by itself.
+            let misses = ["unhomed-axis", "profile-line"]
+                .map(|code| missed(&build, SEAL, &lines, homing, danger, code, 0));
+            assert!(misses.iter().any(Option::is_none), "{name}: {misses:?}");
         }
         let findings = findings_after(&build, SEAL, |lines| lines.retain(|line| line != "G28"));
         assert!(!findings.is_empty(), "{name} without homing");

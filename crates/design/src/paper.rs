@@ -400,16 +400,18 @@ mod tests {
         }
     }
 
+    /// The overlap and the number of the pages of a part that is `width` wide.
+    fn overlap_and_tiles(width: f64) -> (f64, usize) {
+        let edge = Bounds { min: Point::new(10.0, 10.0), max: Point::new(10.0 + width, 180.0) };
+        let layers = vec![(Layer::CutOutside, vec![Shape::Figure(vec![Path::rectangle(&edge)])])];
+        let drawing = Drawing { origin: Origin::LowerLeft, width: 363.0, height: 196.0, layers };
+        let grid = Paper::A4.cut(&drawing);
+        (grid.overlap, grid.tiles(&drawing).len())
+    }
+
     /// Two upright pages show 341.2 mm of a part with the ordinary overlap, 343.2 mm with the least one.
     #[test]
     fn pages_overlap_by_less_where_that_saves_one() {
-        let overlap_and_tiles = |width: f64| {
-            let edge = Bounds { min: Point::new(10.0, 10.0), max: Point::new(10.0 + width, 180.0) };
-            let layers = vec![(Layer::CutOutside, vec![Shape::Figure(vec![Path::rectangle(&edge)])])];
-            let drawing = Drawing { origin: Origin::LowerLeft, width: 363.0, height: 196.0, layers };
-            let grid = Paper::A4.cut(&drawing);
-            (grid.overlap, grid.tiles(&drawing).len())
-        };
         assert_eq!(overlap_and_tiles(341.1), (OVERLAP, 2));
         assert_eq!(overlap_and_tiles(342.1), (LEAST_OVERLAP, 2));
         let (overlap, tiles) = overlap_and_tiles(343.3);

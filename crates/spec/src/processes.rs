@@ -234,6 +234,7 @@ mod tests {
 
     #[test]
     fn every_fault_of_processes_has_its_code_and_its_remedy() {
+        // Each row is the rest of a star's spec with one fault. The fault has its code, and its message and remedy have the words.
         let uses_weak = "outer_process = \"weak\"\n";
         for (rest, code, words) in [
             ("outer_process = \"weka\"\n[process.weak]\n", "unknown-process", "did you mean `weak`?"),

@@ -2,7 +2,7 @@
 
 use stargrip_cam::coupon::bias::read_strip;
 use stargrip_cam::design::Refusals;
-use stargrip_cam::pipeline::{Forecast, Reader};
+use stargrip_cam::pipeline::{Forecast, Interface};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Faults, Machine, Source};
 
@@ -349,7 +349,7 @@ fn of_drawing(text: &str, bytes: &[u8], [_, refusals, precautions]: &mut [Vec<Me
             let warnings = forecast.design.warnings.iter();
             refusals
                 .extend(warnings.map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))));
-            let list = forecast.precautions(Reader::Command("spec.toml"));
+            let list = forecast.precautions(Interface::Command("spec.toml"));
             precautions.extend(list.iter().map(|one| (one.code.to_string(), one.text.clone())));
         }
         Err(found) => refusals.extend(of_refusals(&found)),
@@ -374,7 +374,7 @@ fn of_spec(text: &str, profile: Option<&str>, [faults, refusals, precautions]: &
     refusals.extend(of_refusals(&forecast.unfit()));
     let warnings = forecast.design.warnings.iter();
     refusals.extend(warnings.map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))));
-    let list = forecast.precautions(Reader::Command("spec.toml"));
+    let list = forecast.precautions(Interface::Command("spec.toml"));
     let doubts = list.iter().filter(|one| one.code == "may-not-hold");
     refusals.extend(doubts.map(|one| (one.code.to_string(), one.text.clone())));
     precautions.extend(list.iter().map(|one| (one.code.to_string(), one.text.clone())));

@@ -7,7 +7,9 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
-use stargrip_cam::pipeline::{Built, Forecast, Planned, Reader, Sources, no_requested_programs, prove_files};
+use stargrip_cam::pipeline::{
+    Built, Forecast, Interface, Planned, Sources, no_requested_programs, prove_files,
+};
 use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
@@ -139,7 +141,7 @@ fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(Str
 
 /// The overview of `check --json`, and the verdict's rows.
 fn overview(forecast: &Forecast) -> Value {
-    let mut overview = overview_json(forecast, &forecast.precautions(Reader::Page));
+    let mut overview = overview_json(forecast, &forecast.precautions(Interface::Page));
     // The page computes the shell of a drawing when it is asked to: where it was not, there is nothing to tell.
     let of_drawing = verdict::of_drawing(forecast).into_iter().filter(|(label, _)| *label != "predicts");
     let rows = verdict::rows(forecast).into_iter().chain(of_drawing);

@@ -18,7 +18,7 @@ const HEAD: usize = 80;
 pub struct BodySeam {
     /// The name of the seam.
     pub name: String,
-    /// Its centre line on the flat sheets, mm.
+    /// The centre line of the seam on the flat sheets, mm.
     pub center_line: Path,
 }
 
@@ -136,11 +136,11 @@ mod tests {
     #[test]
     fn a_seam_is_a_group_of_the_lines_that_begin_on_it() {
         let body = bipyramid();
-        let seam = |name: &str, y: f64| BodySeam {
+        let seams = [("near edge\nv 1", 0.0), ("far", 2.0)].map(|(name, y)| BodySeam {
             name: name.to_owned(),
             center_line: Path::polyline(&[Point::new(0.0, y), Point::new(2.0, y)]),
-        };
-        let by_seam = body.points_by_seam(&[seam("near edge\nv 1", 0.0), seam("far", 2.0)]);
+        });
+        let by_seam = body.points_by_seam(&seams);
         assert_eq!(by_seam["far"], [2, 3]);
         assert_eq!(by_seam["near edge\nv 1"], [0, 1]);
         let text = body.obj(&by_seam);

@@ -2,14 +2,14 @@
 
 /// Where precautions are read: how the tests and steps are called there to which they refer.
 #[derive(Clone, Copy, Debug)]
-pub enum Reader<'a> {
+pub enum Interface<'a> {
     /// On a terminal or beside the files, with the path of the spec, quoted for a shell.
     Command(&'a str),
     /// In the page, which has buttons, and no coupons.
     Page,
 }
 
-impl Reader<'_> {
+impl Interface<'_> {
     /// What writes a feed check.
     pub(super) fn feed_check(self) -> String {
         match self {
