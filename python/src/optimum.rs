@@ -151,11 +151,11 @@ impl Optimum {
 }
 
 /// Whether two tables have the same values. A value that is unknown, NaN, equals another one.
-fn are_equal(columns: &Columns, others: &Columns) -> bool {
+fn are_equal(columns: &Columns, other_columns: &Columns) -> bool {
     let bits = |(name, values): &(String, Vec<f64>)| {
         (name.clone(), values.iter().map(|value| value.to_bits()).collect::<Vec<_>>())
     };
-    columns.iter().map(bits).eq(others.iter().map(bits))
+    columns.iter().map(bits).eq(other_columns.iter().map(bits))
 }
 
 /// A column: its name and the value of one design.

@@ -129,7 +129,7 @@ impl SheetFile {
         }
     }
 
-    /// Its content.
+    /// The content of the file.
     fn bytes(self, sheet: &ModelledSheet) -> Result<Vec<u8>, Failure> {
         match self {
             Self::Vtu => Ok(sheet.shape.vtu().map_err(Failure::message)?.into_bytes()),

@@ -27,6 +27,8 @@ const STIFF: &str = "solref=\"0.005 1\" solimp=\"0.99 0.999 0.0001\"";
 
 /// The model of the gripper of `spec` with these predicted stars.
 pub fn mjcf(spec: &Spec, design: &StarAssembly, prediction: &Prediction) -> String {
+    // The stars are written first, each as a ring in three parts. The parts then go into the sections of the model, and what a reader must know of
+    // each star into its comment.
     let mut rings = RingParts::default();
     let mut comment = notes(spec, prediction);
     let widest = spec.load.as_ref().and_then(|load| load.object_radius);
@@ -231,8 +233,8 @@ impl LinkRing {
         let [stiffness, damping, armature, reference] =
             [stiffness, damping_of(stiffness), armature, sign * rest_turn].map(number_of);
         let limit = if is_tip {
-            let [least, most] = [-PI, -touching_turn].map(number_of);
-            format!(" range=\"{least} {most}\" solreflimit=\"0.005 1\"")
+            let [opened, touching] = [-PI, -touching_turn].map(number_of);
+            format!(" range=\"{opened} {touching}\" solreflimit=\"0.005 1\"")
         } else {
             String::new()
         };

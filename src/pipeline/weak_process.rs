@@ -38,8 +38,8 @@ pub(super) fn weak_processes(forecast: &Forecast, interface: Interface<'_>) -> V
 
 /// The way to the pull on each seam.
 fn pull_of_each(forecast: &Forecast, interface: Interface<'_>) -> String {
-    let Some(drawn) = &forecast.drawn else { return interface.pulls().to_owned() };
-    if drawn.prediction.chambers.iter().any(|chamber| chamber.seams.is_some()) {
+    let Some(inflated) = &forecast.drawn else { return interface.pulls().to_owned() };
+    if inflated.prediction.chambers.iter().any(|chamber| chamber.seams.is_some()) {
         // The shell was computed, but its wrinkles were averaged: folds may pull harder.
         let list = interface.drawn_pulls();
         format!(

@@ -438,9 +438,9 @@ fn the_answer_says_what_was_chosen_and_what_was_assumed() {
     assert_eq!(given.status.code(), Some(0), "{}", text(&given.stderr));
     assert!(!fs::read_to_string(dir.path().join("given.toml")).expect("written").contains("friction_least"));
     let check = run(dir.path(), &["check", "f0.2.toml"]);
-    let heard = text(&check.stderr);
-    assert!(check.status.code() == Some(0) && !heard.contains("warning["), "{heard}");
-    assert!(!heard.contains("may be off by"), "{heard}");
+    let answer_text = text(&check.stderr);
+    assert!(check.status.code() == Some(0) && !answer_text.contains("warning["), "{answer_text}");
+    assert!(!answer_text.contains("may be off by"), "{answer_text}");
 
     let again = folder();
     let output = run(again.path(), &[&wish[..], &["--friction", "0.5", "--json"]].concat());
@@ -464,8 +464,8 @@ fn a_spec_that_is_new_is_not_warned_of() {
         let dir = folder();
         let output = run(dir.path(), &[&["new", "wish"], &wish[..]].concat());
         assert_eq!(output.status.code(), Some(0), "{wish:?}: {}", text(&output.stderr));
-        let heard = text(&run(dir.path(), &["check", "wish.toml"]).stderr);
-        assert!(!heard.contains("warning["), "{wish:?}: {heard}");
+        let answer_text = text(&run(dir.path(), &["check", "wish.toml"]).stderr);
+        assert!(!answer_text.contains("warning["), "{wish:?}: {answer_text}");
     }
 }
 
@@ -474,10 +474,13 @@ fn what_has_another_unit_in_mind_is_asked() {
     for size in ["0.1 mm", "75 m"] {
         let dir = folder();
         let output = run(dir.path(), &["new", "wish", "--object", size, "--mass", "1 kg"]);
-        let heard = text(&output.stderr);
-        assert!(output.status.code() == Some(1) && heard.contains("is the unit right"), "{size}: {heard}");
+        let answer_text = text(&output.stderr);
+        assert!(
+            output.status.code() == Some(1) && answer_text.contains("is the unit right"),
+            "{size}: {answer_text}"
+        );
         // The pressure was free, so it is not the cause.
-        assert!(!heard.contains("another pressure"), "{size}: {heard}");
+        assert!(!answer_text.contains("another pressure"), "{size}: {answer_text}");
     }
 }
 

@@ -141,20 +141,20 @@ fn its_sheet_is_a_vtu_file() {
 fn its_body_is_a_closed_solid() {
     let dir = folder();
     let args = [&ACTUATOR[..], &COARSE, &["--stl", "body.stl", "--obj", "body.obj"]].concat();
-    let read = |name: &str| fs::read(dir.path().join(name)).expect("written");
     assert!(run(dir.path(), &args).status.success());
-    let [stl, obj] = ["body.stl", "body.obj"].map(read);
+    let files = ["body.stl", "body.obj"].map(|name| dir.path().join(name));
+    let [stl, obj] = files.each_ref().map(|file| fs::read(file).expect("written"));
     // Each edge has two triangles, so there are three edges for two of them.
     let triangles = (stl.len() - 84) / 50;
     let lines = String::from_utf8(obj.clone()).expect("text");
-    let count = |word: &str| lines.lines().filter(|line| line.starts_with(word)).count();
-    assert_eq!(count("f "), triangles);
-    assert_eq!(count("v ") + triangles - triangles * 3 / 2, 2, "Euler's number of a sphere");
-    assert_eq!((count("g seam"), count("g ")), (1, 3));
+    let counts =
+        ["f ", "v ", "g seam", "g "].map(|word| lines.lines().filter(|line| line.starts_with(word)).count());
+    // The second is Euler's number of a sphere.
+    assert_eq!(counts, [triangles, 2 + triangles * 3 / 2 - triangles, 1, 3]);
     // From the cache, and over their own kind alone.
     fs::remove_file(dir.path().join("body.stl")).expect("removed");
     assert!(run(dir.path(), &args).status.success());
-    assert_eq!((read("body.stl"), read("body.obj")), (stl, obj));
+    assert_eq!(files.each_ref().map(|file| fs::read(file).expect("written")), [stl, obj]);
     for (option, file) in [("--stl", "spec.toml"), ("--obj", "body.stl"), ("--stl", "body.obj")] {
         let refused = run(dir.path(), &[&ACTUATOR[..], &COARSE, &[option, file]].concat());
         assert!(

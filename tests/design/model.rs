@@ -33,7 +33,7 @@ fn numbers(node: Node<'_, '_>, attribute: &str) -> Vec<f64> {
 }
 
 /// The pins of a star: where its links begin, m.
-fn pins(document: &Document<'_>, star: u32) -> Vec<[f64; 3]> {
+fn pins_of(document: &Document<'_>, star: u32) -> Vec<[f64; 3]> {
     let mut place = [0.0; 3];
     let mut pins = Vec::new();
     for arm in 1..=10 {
@@ -42,6 +42,12 @@ fn pins(document: &Document<'_>, star: u32) -> Vec<[f64; 3]> {
         pins.push(place);
     }
     pins
+}
+
+/// The torque of the spring of joint `name` at the angle 0, N m, with its sign turned.
+fn torque_at_zero(document: &Document<'_>, name: &str) -> f64 {
+    let joint = named(document, "joint", name);
+    numbers(joint, "stiffness")[0] * numbers(joint, "springref")[0]
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -53,7 +59,7 @@ fn its_ring_closes_around_the_object() {
     let (text, _) = model(&format!("{SPEC}{LOAD}"));
     let document = Document::parse(&text).expect("XML");
     for star in [1, 2] {
-        let pins = pins(&document, star);
+        let pins = pins_of(&document, star);
         let links: Vec<f64> = (0..10).map(|i| distance(pins[i], pins[(i + 1) % 10])).collect();
         assert!(links.iter().all(|link| (link - links[0]).abs() < 1e-8), "{links:?}");
         let anchor = numbers(named(&document, "connect", &format!("star-{star}-ring")), "anchor");
@@ -65,7 +71,7 @@ fn its_ring_closes_around_the_object() {
         }
     }
     // Star 2 is turned, and lies higher.
-    let [low, high] = [1, 2].map(|star| pins(&document, star)[0]);
+    let [low, high] = [1, 2].map(|star| pins_of(&document, star)[0]);
     assert!(low[1].abs() < 1e-9 && high[1].atan2(high[0]).to_degrees() > 35.9 && high[2] > low[2] + 0.02);
     assert_eq!(numbers(named(&document, "geom", "object"), "size"), [0.038, 0.045]);
     assert!(text.contains("friction=\"0.4\"") && text.contains("masses are those of 0.3 kg/m^2"), "{text}");
@@ -75,13 +81,10 @@ fn its_ring_closes_around_the_object() {
 fn its_springs_press_as_predicted() {
     let (text, force) = model(&format!("{SPEC}{LOAD}"));
     let document = Document::parse(&text).expect("XML");
-    let spring = |name: &str| {
-        let joint = named(&document, "joint", name);
-        numbers(joint, "stiffness")[0] * numbers(joint, "springref")[0]
-    };
     // Tips turn clockwise where they open.
-    let torque = 5.0 * (spring("star-1-tip-1") - spring("star-1-corner-2"));
-    let pins = pins(&document, 1);
+    let torque =
+        5.0 * (torque_at_zero(&document, "star-1-tip-1") - torque_at_zero(&document, "star-1-corner-2"));
+    let pins = pins_of(&document, 1);
     // The corner's pin is at L sin(a) / sin(36 deg), where the tip opens by twice as much as a grows.
     let across = pins[0][0] * 36.0_f64.to_radians().sin();
     let slope =
@@ -90,7 +93,7 @@ fn its_springs_press_as_predicted() {
     let tendon = named(&document, "fixed", "star-1-corner-1");
     assert_eq!(tendon.children().filter(Node::is_element).count(), 9);
     let product = numbers(tendon, "stiffness")[0] * numbers(tendon, "springlength")[0];
-    assert!((product + spring("star-1-corner-2")).abs() < 1e-8);
+    assert!((product + torque_at_zero(&document, "star-1-corner-2")).abs() < 1e-8);
 }
 
 #[test]

@@ -237,8 +237,8 @@ mod tests {
                 .sum::<f64>();
             let (length, sine) = (link_length(&linkage), libm::sin(PI / 5.0));
             let leaning = libm::asin(linkage.corner_pin * sine / length);
-            let pin = |turn: f64| length * libm::sin(leaning + 0.5 * turn) / sine;
-            let slope = (pin(1e-5) - pin(-1e-5)) / 2e-5;
+            let pins = [1e-5, -1e-5].map(|turn| length * libm::sin(leaning + 0.5 * turn) / sine);
+            let slope = (pins[0] - pins[1]) / 2e-5;
             let force = star.object_force_N.expect("held");
             assert!((torque / slope / force - 1.0).abs() < 1e-8, "{torque} {slope} {force}");
         }

@@ -68,7 +68,7 @@ mod tests {
     fn code_stays_and_comments_go() {
         let text = b"// a\n\n  /** b */\n  let x = 1; // c\n\t/* d */ e\n/* f\ng */\n  //\nend";
         let Bare { bytes, length } = bare_lines(text);
-        let kept = std::str::from_utf8(&bytes[..length]);
-        assert_eq!(kept, Ok("let x = 1; // c\n/* d */ e\n/* f\ng */\nend"));
+        let bare_text = std::str::from_utf8(&bytes[..length]);
+        assert_eq!(bare_text, Ok("let x = 1; // c\n/* d */ e\n/* f\ng */\nend"));
     }
 }
