@@ -118,6 +118,75 @@ impl Symmetry {
     }
 }
 
+/// Height above and below the plane of a point between two sealed ones, m: enough for files with single digits of a micrometre.
+const PARTED: f64 = 1e-6;
+
+impl WholeBody {
+    /// Parts both sheets where they meet other than at the rims: along edges of the mesh from one sealed point to another, which have four
+    /// triangles, and at welds and islands, whose points each sheet has for itself. Such an edge gets a point in its middle on each sheet.
+    fn part_sheets(&mut self) {
+        self.part_edges();
+        let upper_count = self.triangles.len() / 2;
+        for (number, corners) in self.triangles.iter().enumerate() {
+            let height = if number < upper_count { PARTED } else { -PARTED };
+            for point in corners.iter().filter(|point| self.sealed.binary_search(point).is_err()) {
+                let z = &mut self.points[*point][2];
+                if z.abs() < PARTED {
+                    *z = height;
+                }
+            }
+        }
+    }
+
+    /// Gives edges with four triangles a point in their middle on each sheet.
+    fn part_edges(&mut self) {
+        let mut counts: BTreeMap<[usize; 2], u32> = BTreeMap::new();
+        for corners in &self.triangles {
+            for side in 0..3 {
+                *counts.entry(edge(corners, side)).or_default() += 1;
+            }
+        }
+        let common: BTreeSet<[usize; 2]> =
+            counts.into_iter().filter(|(_, count)| *count > 2).map(|(edge, _)| edge).collect();
+        let upper_count = self.triangles.len() / 2;
+        let triangles = std::mem::take(&mut self.triangles);
+        let images = std::mem::take(&mut self.images);
+        let mut middles: BTreeMap<(bool, [usize; 2]), usize> = BTreeMap::new();
+        for (number, (corners, image)) in triangles.into_iter().zip(images).enumerate() {
+            let is_lower = number >= upper_count;
+            let mut whole = vec![corners];
+            while let Some(corners) = whole.pop() {
+                let Some(side) = (0..3).find(|side| common.contains(&edge(&corners, *side))) else {
+                    self.triangles.push(corners);
+                    self.images.push(image);
+                    continue;
+                };
+                let ends = edge(&corners, side);
+                let middle =
+                    *middles.entry((is_lower, ends)).or_insert_with(|| self.add_middle(ends, is_lower));
+                let [start, end, opposite] = [0, 1, 2].map(|turn| corners[(side + turn) % 3]);
+                whole.extend([[middle, end, opposite], [start, middle, opposite]]);
+            }
+        }
+    }
+
+    /// Adds the point between two sealed ones on one of the sheets; its number.
+    fn add_middle(&mut self, [start, end]: [usize; 2], is_lower: bool) -> usize {
+        let [[x, y, _], [other_x, other_y, _]] = [start, end].map(|point| self.points[point]);
+        let height = if is_lower { -PARTED } else { PARTED };
+        self.points.push([f64::midpoint(x, other_x), f64::midpoint(y, other_y), height]);
+        let [[u, v], [other_u, other_v]] = [start, end].map(|point| self.flat[point]);
+        self.flat.push([f64::midpoint(u, other_u), f64::midpoint(v, other_v)]);
+        self.points.len() - 1
+    }
+}
+
+/// One side of a triangle by the numbers of its ends, the lower one first.
+fn edge(corners: &[usize; 3], side: usize) -> [usize; 2] {
+    let (start, end) = (corners[side], corners[(side + 1) % 3]);
+    [start.min(end), start.max(end)]
+}
+
 impl InflatedShape {
     /// The whole body, closed. Every image of the sheet is added in turn. Points on a mirror and on a seal belong to several images and occur
     /// once: then neighbours share their edges, and each edge has two triangles.
@@ -145,6 +214,7 @@ impl InflatedShape {
         let sealed = numbers.iter().filter(|((_, point), _)| shared_points[*point].is_sealed);
         body.sealed = sealed.map(|(_, number)| *number).collect();
         body.sealed.sort_unstable();
+        body.part_sheets();
         body
     }
 
@@ -223,12 +293,28 @@ mod tests {
         // Half of a roof over a square: the ridge is the mirror's.
         let half = sheet([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], [0.0; 4]);
         let mirrored = half.body(Symmetry::Mirror);
-        assert_eq!((mirrored.points.len(), mirrored.triangles.len(), measured(&mirrored).1), (6, 8, 0));
-        assert_eq!(mirrored.images, [0, 1, 0, 1, 0, 1, 0, 1]);
+        assert_eq!((mirrored.points.len(), mirrored.triangles.len(), measured(&mirrored).1), (12, 20, 0));
+        // Four images of two triangles: the ridge and both diagonals lie between sealed corners and have a point on each sheet.
+        assert_eq!(mirrored.images.iter().filter(|image| **image == 0).count(), 12);
         // All corners are on the edge of the square.
         assert_eq!(mirrored.sealed.len(), 6);
-        let sheets = half.body(Symmetry::Sheets);
-        assert_eq!((sheets.points.len(), sheets.triangles.len(), measured(&sheets).1), (4, 4, 0));
+    }
+
+    /// The diagonal of a flat square lies between two sealed corners, where both sheets would meet.
+    #[test]
+    fn sheets_meet_at_seals_alone() {
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+        let body = sheet(square, [0.0; 4]).body(Symmetry::Sheets);
+        assert_eq!((body.points.len(), body.triangles.len(), measured(&body).1), (6, 8, 0));
+        let mut edges: BTreeMap<[usize; 2], u32> = BTreeMap::new();
+        for corners in &body.triangles {
+            for side in 0..3 {
+                *edges.entry(edge(corners, side)).or_default() += 1;
+            }
+        }
+        assert!(edges.values().all(|count| *count == 2), "{edges:?}");
+        assert_eq!(body.images, [0, 0, 1, 1, 0, 0, 1, 1]);
+        assert_eq!(body.sealed, [0, 1, 2, 3]);
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use crate::shell::mesh::{Border, Mesh};
 
-/// The flat places of two edges of rims that cross each other in the shape with these `points`. Edges with a common end do not cross.
+/// The flat places of two edges of rims that cross each other in the shape with these `points`, lengths by the chamber's width. Edges that lie
+/// within this width on the flat sheet do not count: they are sides of one fold.
 pub(super) fn crossing(mesh: &Mesh, points: &[[f64; 3]]) -> Option<[[f64; 2]; 2]> {
     // Sorted by their least x, an edge is compared only with those that begin before it ends.
     let rims = mesh.edges.iter().filter(|edge| matches!(edge.border, Some(Border::Rim(_))));
@@ -11,9 +12,11 @@ pub(super) fn crossing(mesh: &Mesh, points: &[[f64; 3]]) -> Option<[[f64; 2]; 2]
     for (k, first) in ends.iter().enumerate() {
         let most_x = points[first[0]][0].max(points[first[1]][0]);
         let candidates = ends[k + 1..].iter().take_while(|second| least_x(points, second) <= most_x);
-        for second in candidates.filter(|second| !second.iter().any(|end| first.contains(end))) {
-            if cross(first.map(|end| points[end]), second.map(|end| points[end])) {
-                return Some([first, second].map(|edge| middle(edge.map(|end| mesh.points[end]))));
+        for second in candidates {
+            let [place, other_place] = [first, second].map(|edge| middle(edge.map(|end| mesh.points[end])));
+            let distance = libm::hypot(other_place[0] - place[0], other_place[1] - place[1]);
+            if distance > 1.0 && cross(first.map(|end| points[end]), second.map(|end| points[end])) {
+                return Some([place, other_place]);
             }
         }
     }
