@@ -154,8 +154,8 @@ impl WholeBody {
         let mut middles: BTreeMap<(bool, [usize; 2]), usize> = BTreeMap::new();
         for (number, (corners, image)) in triangles.into_iter().zip(images).enumerate() {
             let is_lower = number >= upper_count;
-            let mut whole = vec![corners];
-            while let Some(corners) = whole.pop() {
+            let mut parts = vec![corners];
+            while let Some(corners) = parts.pop() {
                 let Some(side) = (0..3).find(|side| common.contains(&edge(&corners, *side))) else {
                     self.triangles.push(corners);
                     self.images.push(image);
@@ -165,7 +165,7 @@ impl WholeBody {
                 let middle =
                     *middles.entry((is_lower, ends)).or_insert_with(|| self.add_middle(ends, is_lower));
                 let [start, end, opposite] = [0, 1, 2].map(|turn| corners[(side + turn) % 3]);
-                whole.extend([[middle, end, opposite], [start, middle, opposite]]);
+                parts.extend([[middle, end, opposite], [start, middle, opposite]]);
             }
         }
     }
