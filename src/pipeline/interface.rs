@@ -5,7 +5,7 @@
 pub enum Interface<'a> {
     /// On a terminal or beside the files, with the path of the spec, quoted for a shell.
     Command(&'a str),
-    /// In the page, which has buttons, and no coupons.
+    /// In the page, which has buttons, and neither coupons nor feed checks.
     Page,
 }
 
@@ -14,7 +14,7 @@ impl Interface<'_> {
     pub(super) fn feed_check(self) -> String {
         match self {
             Self::Command(spec) => format!("`stargrip-cam feedcheck {spec}`"),
-            Self::Page => "“Feed check”".to_owned(),
+            Self::Page => "the command `stargrip-cam feedcheck`".to_owned(),
         }
     }
 

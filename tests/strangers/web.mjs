@@ -70,23 +70,6 @@ async function moved(page, what) {
     await ready(page);
 }
 
-/** The program that times the machine, which the command proves, and what to look at. */
-async function feedChecked(page, what) {
-    await beside(page, "result");
-    await page.click("#before summary");
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#feed-check")]);
-    const task = await page.textContent("#feed-note");
-    must(/^Each of its three lines .* must take 100 s\. At each M0 it must stop/.test(task), `${what}: the task of the feed check is ${task}`);
-    const file = join(out, `${what}-feedcheck.zip`), dir = join(out, `${what}-feedcheck`);
-    await download.saveAs(file);
-    rmSync(dir, { recursive: true, force: true });
-    execFileSync("python3", ["-m", "zipfile", "-e", file, dir]);
-    const { status, stdout } = spawnSync(tool, ["verify", join(dir, "feedcheck", "feedcheck.gcode"), "--json"], { encoding: "utf8" });
-    must(status === 0, `${what}: the feed check ends with ${status}: ${stdout.slice(0, 400)}`);
-    const texts = await page.locator("#precautions li").allTextContents();
-    must(texts.some((text) => text.includes("“Feed check”")) && !texts.some((text) => text.includes("feedcheck")), `${what}: the precautions are ${texts}`);
-}
-
 /** From the object to the ZIP, which the command accepts, and the page as well. */
 async function bottle(page, what) {
     await beside(page, "start");
@@ -464,7 +447,6 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         if (what === "desktop") await waits(browser, page);
         await bottle(page, what);
         await moved(page, what);
-        await feedChecked(page, what);
         await printed(page, what);
         await bounded(page, what);
         await mended(page, what);

@@ -204,7 +204,6 @@ async function start() {
     const result = new Result();
     maker = new Maker({ program, desk, safely, shown: { editor, form, result, fault, stage } });
     result.listenMoved((question, files) => safely(() => program.ask({ ask: "align", ...question }, { files, isLong: true })));
-    result.listenFeedCheck(() => safely(async () => program.ask({ ask: "feed-check", spec: desk.state.text, machine: desk.state.machine }, { files: await desk.files() })));
     // A line is about the spec of before.
     desk.listen(() => say(""));
     desk.listen(() => maker.refresh());

@@ -51,23 +51,12 @@ export class Result {
         });
     }
 
-    /** Saves the program that times the machine, where `ask()` makes it, and tells what to look at. */
-    listenFeedCheck(ask) {
-        byId("feed-check").addEventListener("click", async () => {
-            const answer = await ask();
-            if (!answer) return;
-            const { task, reason, faults, files } = answer;
-            byId("feed-note").replaceChildren(...prose(task ?? reason ?? faults[0].found));
-            if (task) save("feedcheck.zip", zipped("feedcheck", files));
-        });
-    }
-
     /** Disables downloads until the present text is proven. */
     withdraw() {
         this.#files = [];
         byId("zip").disabled = byId("moved").hidden = true;
         byId("files").inert = true;
-        byId("proof").textContent = byId("feed-note").textContent = "";
+        byId("proof").textContent = "";
     }
 
     /** Shows an answer: verdict and numbers; without an overview the spec is refused. */
@@ -84,7 +73,6 @@ export class Result {
         this.#verdict(tone, readable(headline), readable(rest.join("; ")));
         this.#rows(overview);
         byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, ...prose(readable(text)))));
-        byId("feed-check").hidden = Boolean(overview.press);
         byId("before").hidden = overview.before_you_seal.length === 0;
         byId("pressing").hidden = !overview.press;
         const steps = overview.press?.instructions ?? [];

@@ -7,7 +7,6 @@
 //! | `look` | `spec`, `machine`, the drawing | faults, settings, the overview, the picture: no files |
 //! | `verify` | files | the proof, as with `verify --json` |
 //! | `align` | the files of a build, `mark1`, `mark2`, `sheet` | the files for the sheet as it lies now and its `motion` in words, or the `reason` |
-//! | `feed-check` | `spec`, `machine`, the drawing | the program that times the machine, with its manifest, and the `task` in words, or the `reason` |
 //! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
@@ -24,7 +23,6 @@ mod build;
 mod drawing;
 mod edit;
 mod faults;
-mod feed_check;
 mod link;
 mod object;
 mod picture;
@@ -55,7 +53,6 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         "look" => build::look(&question, &files)?,
         "verify" => build::verify(files),
         "align" => return align::align(&question, files),
-        "feed-check" => return feed_check::feed_check(&question, &files),
         "predict" => predict::predict(&question, &files, tell)?,
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
