@@ -12,7 +12,6 @@ mod hostile;
 mod layers;
 mod links;
 mod marks;
-mod model;
 mod packages;
 mod pictures;
 mod pressed;

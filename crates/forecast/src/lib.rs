@@ -37,7 +37,6 @@ mod evidence;
 mod folding;
 pub mod interval;
 pub mod keys;
-pub mod linkage;
 mod load_check;
 pub mod meshed;
 pub mod model_search;

@@ -39,7 +39,6 @@ FileKind = Literal[
     "preview-png",
     "prediction",
     "scene-glb",
-    "mjcf",
     "report",
 ]
 CouponKind = Literal["strips", "disc", "v-actuator", "burst"]

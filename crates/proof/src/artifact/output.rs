@@ -197,7 +197,6 @@ impl Output {
             | Kind::PreviewPng
             | Kind::Prediction
             | Kind::SceneGlb
-            | Kind::Mjcf
             | Kind::Report => None,
         }
     }
@@ -235,7 +234,6 @@ impl Output {
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
-            | Subject::Mjcf
             | Subject::Report => None,
         }
     }
@@ -252,7 +250,6 @@ impl Output {
             | Format::Json
             | Format::Png
             | Format::Glb
-            | Format::Xml
             | Format::Html => CutEdge::Tool,
         }
     }
@@ -305,7 +302,6 @@ impl Output {
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
-            | Subject::Mjcf
             | Subject::Report => None,
         }
     }
