@@ -68,7 +68,7 @@ const ALLOWED: [(&str, [usize; KINDS.len()]); 14] = [
     ("python/src", [5, 0, 0, 7, 2, 0, 0]),
     ("web/src", [0, 0, 1, 9, 0, 0, 0]),
     ("crates/research/src", [0, 0, 0, 7, 2, 0, 2]),
-    ("tests", [647, 0, 110, 300, 4, 9, 70]),
+    ("tests", [646, 0, 110, 300, 4, 9, 70]),
 ];
 
 /// The faults of one folder, a list for each of `KINDS`.

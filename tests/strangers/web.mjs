@@ -208,7 +208,9 @@ async function shell(page, what) {
     must(/^Inflates to 190 × 79/.test(await page.innerText("#verdict")), `${what}: the inflated drawing's verdict is ${await page.innerText("#verdict")}`);
     const frame = page.frameLocator("#report-box iframe:not(.next)");
     await frame.locator("body.only-solid #solid-view").waitFor();
-    must(await frame.locator("#solid-inflate").isEnabled(), `${what}: the scene of the shell does not inflate`);
+    // The frame of before stays until the new one is drawn.
+    const inflates = await frame.locator("#solid-inflate:enabled").waitFor().then(() => true, () => false);
+    must(inflates, `${what}: the scene of the shell does not inflate`);
     const pulls = await frame.locator("#pulls tbody th").allTextContents();
     must(pulls.length === 5 && pulls.includes("crease-left"), `${what}: the report has the pull on ${pulls}`);
     const label = frame.locator("#solid-labels span"), words = () => label.allTextContents();
