@@ -19,7 +19,11 @@ def again(of: Any) -> Any:
     for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
         back = pickle.loads(pickle.dumps(of, protocol))
         assert type(back) is type(of) and repr(back) == repr(of) and back == of
-        assert type(of).__hash__ is None or hash(back) == hash(of)
+        try:
+            hashed = hash(of)
+        except TypeError:  # lines and arcs have no hash
+            continue
+        assert hash(back) == hashed
     assert copy.deepcopy(of) == copy.copy(of) == of
     return back
 
