@@ -29,7 +29,7 @@ fn an_unknown_star_is_pointed_to_the_shell_where_that_covers_it() {
         let warnings = predict(spec).first.evidence.warnings;
         warnings
             .iter()
-            .any(|warning| warning.text.contains("`predict` with the model \"shell\" and coarse meshes"))
+            .any(|warning| warning.text.contains("the model \"shell\" covers this star, and takes 1 to 10 s"))
     };
     assert!(!by_shell(&gripper(5)));
     let mut many = gripper(14);
