@@ -66,24 +66,24 @@ impl Failure {
 
     /// The refusals, one object each; `None` if the failure is no refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
-        let refused = match self {
+        let object = match self {
             Self::Faults(faults) => return Some(refused_by(faults)),
             Self::Unproven(unproven) => return Some(unproven.findings.iter().map(finding_json).collect()),
             Self::Publish(error) => refusal(CommandCode::NotPublished.as_str(), &error.to_string()),
             Self::Infeasible(text, nearest) => {
-                let mut refused = refusal(CommandCode::Infeasible.as_str(), text);
-                refused["remedy"] = json!((!nearest.is_empty()).then(|| nearest.join("\n")));
-                refused
+                let mut object = refusal(CommandCode::Infeasible.as_str(), text);
+                object["remedy"] = json!((!nearest.is_empty()).then(|| nearest.join("\n")));
+                object
             }
             Self::File(path, text) => {
-                let mut refused = refusal(CommandCode::Failed.as_str(), text);
-                refused["file"] = json!(path);
-                refused
+                let mut object = refusal(CommandCode::Failed.as_str(), text);
+                object["file"] = json!(path);
+                object
             }
             Self::Message(text) => refusal(CommandCode::Failed.as_str(), text),
             _ => return None,
         };
-        Some(vec![refused])
+        Some(vec![object])
     }
 
     /// Prints a JSON `answer` that contains the refusal `text`, as one object.

@@ -72,7 +72,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let command = format!("stargrip-cam feedcheck {} --took", argument(&args.spec));
     let (length, example) = (plan::CHECK_LENGTH, 0.96 * seconds);
-    let ways = pipeline::feed_check_ways(machine);
+    let ways = if machine.controller.arcs {
+        format!("three lines (X, Y, 45 deg) and two arcs (G2, G3) of {length} mm")
+    } else {
+        format!("three lines of {length} mm (X, Y, 45 deg)")
+    };
     let text = format!(
         "wrote {}{packed}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one took {example:.0} s, \
          `{command} \"{example:.0} s\"` prints what to change\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \

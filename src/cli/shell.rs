@@ -1,5 +1,6 @@
 //! Common options and functions of commands that run the shell model: fineness, progress, interruption, cache.
 
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
 use crate::cli::cache::Cache;
@@ -96,10 +97,15 @@ impl ShellArgs {
     /// The files of `sheet`, in the order of [`SheetFile::ALL`]; empty where none is written.
     fn files_of(&self, sheet: Option<&ModelledSheet>) -> Result<[Vec<u8>; 3], Failure> {
         let mut files = [const { Vec::new() }; 3];
+        let Some(sheet) = sheet else { return Ok(files) };
+        let body = LazyCell::new(|| sheet.shape.body(sheet.symmetry));
         for (file, bytes) in SheetFile::ALL.into_iter().zip(&mut files) {
-            if let (Some(sheet), Some(_)) = (sheet, self.path(file)) {
-                *bytes = file.bytes(sheet)?;
-            }
+            *bytes = match (file, self.path(file)) {
+                (_, None) => continue,
+                (SheetFile::Vtu, _) => sheet.shape.vtu().map_err(Failure::message)?.into_bytes(),
+                (SheetFile::Stl, _) => body.stl(),
+                (SheetFile::Obj, _) => body.obj(&body.points_by_seam(&sheet.seams)).into_bytes(),
+            };
         }
         Ok(files)
     }
@@ -126,18 +132,6 @@ impl SheetFile {
             Self::Vtu => "--vtu",
             Self::Stl => "--stl",
             Self::Obj => "--obj",
-        }
-    }
-
-    /// The content of the file.
-    fn bytes(self, sheet: &ModelledSheet) -> Result<Vec<u8>, Failure> {
-        match self {
-            Self::Vtu => Ok(sheet.shape.vtu().map_err(Failure::message)?.into_bytes()),
-            Self::Stl => Ok(sheet.shape.body(sheet.symmetry).stl()),
-            Self::Obj => {
-                let body = sheet.shape.body(sheet.symmetry);
-                Ok(body.obj(&body.points_by_seam(&sheet.seams)).into_bytes())
-            }
         }
     }
 

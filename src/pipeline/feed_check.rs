@@ -73,16 +73,6 @@ pub fn feed_check(
     Ok(ProvenFeedCheck { text, package, manifest })
 }
 
-/// The moves that a feed check of `machine` times, in words.
-pub fn feed_check_ways(machine: &Machine) -> String {
-    let length = plan::CHECK_LENGTH;
-    if machine.controller.arcs {
-        format!("three lines (X, Y, 45 deg) and two arcs (G2, G3) of {length} mm")
-    } else {
-        format!("three lines of {length} mm (X, Y, 45 deg)")
-    }
-}
-
 /// The program `text` in a package; `None` where `machine` takes none.
 fn package_of(spec: &Spec, machine: &Machine, text: &str) -> Option<Vec<u8>> {
     if !takes_packages(machine.controller.dialect) {

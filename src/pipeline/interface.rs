@@ -10,19 +10,11 @@ pub enum Interface<'a> {
 }
 
 impl Interface<'_> {
-    /// What writes a feed check.
-    pub(super) fn feed_check(self) -> String {
+    /// The command `name` for the spec, which writes a feed check or coupons.
+    pub(super) fn command(self, name: &str) -> String {
         match self {
-            Self::Command(spec) => format!("`stargrip-cam feedcheck {spec}`"),
-            Self::Page => "the command `stargrip-cam feedcheck`".to_owned(),
-        }
-    }
-
-    /// What writes coupons.
-    pub(super) fn coupons(self) -> String {
-        match self {
-            Self::Command(spec) => format!("`stargrip-cam coupon {spec}`"),
-            Self::Page => "the command `stargrip-cam coupon`".to_owned(),
+            Self::Command(spec) => format!("`stargrip-cam {name} {spec}`"),
+            Self::Page => format!("the command `stargrip-cam {name}`"),
         }
     }
 

@@ -38,9 +38,7 @@ use spec::{Machine, Spec};
 pub use aligned::align;
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
-pub use feed_check::{
-    FeedCheckFault, PACKAGE_ENDING, ProvenFeedCheck, feed_check, feed_check_ways, prove_feed_check,
-};
+pub use feed_check::{FeedCheckFault, PACKAGE_ENDING, ProvenFeedCheck, feed_check, prove_feed_check};
 pub use interface::Interface;
 pub use planned::{Planned, no_prediction, no_programs, no_requested_programs};
 pub use precautions::Precaution;

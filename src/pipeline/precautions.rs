@@ -8,7 +8,7 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::{Chop, LASER_SAFETY, Pace, Program, laser_settings, other_version};
+use program::plan::{Chop, LASER_SAFETY, MEAN_TOLERANCE, Pace, Program, laser_settings, other_version};
 use spec::units::{Readable, Speed};
 use spec::{CutTool, Machine, Marks, SealingTool};
 
@@ -18,9 +18,6 @@ const SLOW: Speed = Speed(5.0);
 
 /// Ten times the seal speed of the paper, 0.1 mm/s; a faster seal gets a warning.
 const FAST: Speed = Speed(1.0);
-
-/// Tolerance of the mean speed, relative.
-const MEAN: f64 = 0.002;
 
 /// The profile for an unknown machine.
 const UNKNOWN: &str = "generic";
@@ -123,7 +120,7 @@ fn laser(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
         "only a peel test shows whether {} at {} seals this fabric: {} writes one",
         forecast.spec.seal.heat_in_words(),
         forecast.spec.seal.speed,
-        interface.coupons()
+        interface.command("coupon")
     );
     let peel = Precaution::new(PrecautionCode::LaserSafety, peel);
     safety.into_iter().chain(settings).chain([peel]).collect()
@@ -167,7 +164,7 @@ fn generic(forecast: &Forecast, interface: Interface<'_>) -> Precaution {
         "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], \
          or time the program that {} writes",
         forecast.machine.name,
-        interface.feed_check()
+        interface.command("feedcheck")
     );
     Precaution::new(PrecautionCode::GenericMachine, text)
 }
@@ -299,7 +296,7 @@ fn strength(forecast: &Forecast, interface: Interface<'_>) -> Option<Precaution>
 
 /// The difference of a chopped seal's mean speed by what else Marlin does, in words; empty where it is within the tolerance.
 fn slow_display(chop: &Chop, speed: Speed) -> String {
-    let error = chop.dwell_error(speed.0).filter(|error| *error > MEAN);
+    let error = chop.dwell_error(speed.0).filter(|error| *error > MEAN_TOLERANCE);
     error.map_or(String::new(), |error| {
         let percent = Readable((1e3 * error).ceil() / 10.0);
         format!(", and may be up to {percent} % off, slower with a slow display")
@@ -325,7 +322,7 @@ fn speed(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
                     format!(" and at least {x} (X) and {y} (Y) steps/mm")
                 }),
                 slow_display(&chop, speed),
-                interface.feed_check()
+                interface.command("feedcheck")
             ),
         )),
         _ if machine.motion.speed_range().is_none() && speed < SLOW => Some((
@@ -333,7 +330,7 @@ fn speed(forecast: &Forecast, interface: Interface<'_>) -> Vec<Precaution> {
             format!(
                 "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
              without reporting it: time the program that {} writes",
-                interface.feed_check()
+                interface.command("feedcheck")
             ),
         )),
         _ => None,
@@ -348,7 +345,7 @@ fn fast(forecast: &Forecast, interface: Interface<'_>) -> Option<Precaution> {
     let text = format!(
         "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
          {} writes one",
-        interface.coupons()
+        interface.command("coupon")
     );
     // A laser is as fast as its power allows: the note on its power says that it needs a test.
     (speed > FAST && forecast.spec.seal.power.is_none())

@@ -156,11 +156,11 @@ fn its_body_is_a_closed_solid() {
     assert!(run(dir.path(), &args).status.success());
     assert_eq!(files.each_ref().map(|file| fs::read(file).expect("written")), [stl, obj]);
     for (option, file) in [("--stl", "spec.toml"), ("--obj", "body.stl"), ("--stl", "body.obj")] {
-        let refused = run(dir.path(), &[&ACTUATOR[..], &COARSE, &[option, file]].concat());
+        let refusal = run(dir.path(), &[&ACTUATOR[..], &COARSE, &[option, file]].concat());
         assert!(
-            refused.status.code() == Some(1) && text(&refused.stderr).contains("file of an inflated body"),
+            refusal.status.code() == Some(1) && text(&refusal.stderr).contains("file of an inflated body"),
             "{option} {file}: {}",
-            text(&refused.stderr)
+            text(&refusal.stderr)
         );
     }
 }

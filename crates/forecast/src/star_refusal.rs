@@ -41,6 +41,11 @@ impl PredictFault {
     pub fn new(key: KeyPath, problem: String) -> Self {
         Self { code: RefusalCode::NoPrediction, star: None, key, what: problem, remedy: None }
     }
+
+    /// This fault with a `remedy`.
+    pub(crate) fn with_remedy(self, remedy: impl Into<String>) -> Self {
+        Self { remedy: Some(remedy.into()), ..self }
+    }
 }
 
 /// `fault` of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
@@ -48,8 +53,8 @@ pub(super) fn located(star: usize, spec: &Spec, part: &StarDesign, fault: &StarF
     let case = Case::of_part(spec, part).ok();
     let mended = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
     if let Some((key, remedy)) = mended {
-        let fault = PredictFault::new(key, fault.to_string());
-        return PredictFault { star: Some(star), remedy: Some(remedy), ..fault };
+        let fault = PredictFault::new(key, fault.to_string()).with_remedy(remedy);
+        return PredictFault { star: Some(star), ..fault };
     }
     let problem_and_remedy = case.and_then(|case| {
         let (problem, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;

@@ -65,8 +65,8 @@ fn write(lines: &mut Vec<String>, section: &str, key: &str, value: &str) {
 
 /// Whether `line` sets `key` behind `mark`.
 fn has_key(line: &str, mark: &str, key: &str) -> bool {
-    let bare = line.strip_prefix(mark).and_then(|line| line.strip_prefix(key));
-    bare.is_some_and(|rest| rest.trim_start().starts_with('='))
+    let after_key = line.strip_prefix(mark).and_then(|line| line.strip_prefix(key));
+    after_key.is_some_and(|rest| rest.trim_start().starts_with('='))
 }
 
 #[cfg(test)]

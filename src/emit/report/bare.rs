@@ -10,7 +10,7 @@ pub(super) struct Bare<const N: usize> {
 
 /// The lines of `text` that are kept, each without its indentation.
 pub(super) const fn bare_lines<const N: usize>(text: &[u8; N]) -> Bare<N> {
-    let mut bare = Bare { bytes: [0; N], length: 0 };
+    let mut kept_lines = Bare { bytes: [0; N], length: 0 };
     let mut start = 0;
     while start < N {
         while start < N && (text[start] == b' ' || text[start] == b'\t') {
@@ -23,14 +23,14 @@ pub(super) const fn bare_lines<const N: usize>(text: &[u8; N]) -> Bare<N> {
         let next = if end < N { end + 1 } else { N };
         if end > start && !is_comment(text, start, end) {
             while start < next {
-                bare.bytes[bare.length] = text[start];
-                bare.length += 1;
+                kept_lines.bytes[kept_lines.length] = text[start];
+                kept_lines.length += 1;
                 start += 1;
             }
         }
         start = next;
     }
-    bare
+    kept_lines
 }
 
 /// Whether the line from `start` to `end` is a comment and nothing else; one of several lines is none.

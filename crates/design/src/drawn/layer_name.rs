@@ -38,8 +38,8 @@ pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str
         }
     });
     let layer = |(element, name): (&'a Element, Option<&str>)| {
-        let listed = name.and_then(|name| element.layers.iter().find(|layer| *layer == name));
-        listed.or(element.layers.first()).map_or(element.id.as_str(), String::as_str)
+        let layer_name = name.and_then(|name| element.layers.iter().find(|layer| *layer == name));
+        layer_name.or(element.layers.first()).map_or(element.id.as_str(), String::as_str)
     };
     elements.iter().zip(names).map(layer).collect()
 }

@@ -274,13 +274,7 @@ fn reference_line(measures: &[PlacedMeasure], chamber: usize) -> Option<Referenc
 }
 
 fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<PlacedMeasure, PredictFault> {
-    let points = measure.form.points();
-    let places_by_chamber = chambers.iter().map(|chamber| nearest_air(chamber, points));
-    let nearest = places_by_chamber
-        .enumerate()
-        .filter(|(_, places)| places.len() == points.len())
-        .min_by(|(_, a), (_, b)| furthest(a).total_cmp(&furthest(b)));
-    match nearest {
+    match nearest_chamber(chambers, measure.form.points(), place_in_air) {
         Some((chamber, places)) if furthest(&places) <= reach => Ok(PlacedMeasure {
             name: measure.name.clone(),
             kinds: MeasuredKind::of_form(&measure.form),
@@ -291,6 +285,20 @@ fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<Pla
         }),
         _ => Err(misplaced(measure, chambers, reach)),
     }
+}
+
+/// The index of the chamber that is nearest to all of `points`, where `place` gives the nearest place of one of them, and these places.
+pub(super) fn nearest_chamber(
+    chambers: &[DrawnChamber],
+    points: &[Point],
+    place: fn(&FlatChamber, Point) -> Option<Nearest>,
+) -> Option<(usize, Vec<Nearest>)> {
+    let places = chambers.iter().map(|chamber| {
+        let places = points.iter().map(|point| place(&chamber.flat, *point));
+        places.collect::<Option<Vec<Nearest>>>()
+    });
+    let placed = places.enumerate().filter_map(|(chamber, places)| Some((chamber, places?)));
+    placed.min_by(|(_, a), (_, b)| furthest(a).total_cmp(&furthest(b)))
 }
 
 /// The largest distance of a point from its place in the air or on its edge.
@@ -315,18 +323,13 @@ fn misplaced(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Predic
             "draw a measure within one chamber",
         ),
     };
-    PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::drawing::LAYERS, problem) }
+    PredictFault::new(key::drawing::LAYERS, problem).with_remedy(remedy)
 }
 
 /// Whether `point` lies further than `reach` from the air of every chamber.
 fn is_beside_air(point: Point, chambers: &[DrawnChamber], reach: f64) -> bool {
     let mut places = chambers.iter().filter_map(|chamber| place_in_air(&chamber.flat, point));
     places.all(|place| place.distance > reach)
-}
-
-/// The places of a chamber's air that are nearest to `points`.
-fn nearest_air(chamber: &DrawnChamber, points: &[Point]) -> Vec<Nearest> {
-    points.iter().filter_map(|point| place_in_air(&chamber.flat, *point)).collect()
 }
 
 /// The place of a chamber's air that is nearest to `point`: the point itself if it lies in the air.

@@ -1,7 +1,8 @@
 //! A drawn chamber between two rigid plates: how hard it presses.
 
-use crate::interval::{Interval, hull};
-use crate::meshed::{MeshedValue, six, with_error};
+use crate::drawn::shapes::hull_of_values;
+use crate::interval::Interval;
+use crate::meshed::MeshedValue;
 use inflatable::shell::cases::{InflatedRegion, PlateContact, Value};
 use serde::Serialize;
 
@@ -23,8 +24,7 @@ impl PlatesPrediction {
     pub(super) fn new(region: &InflatedRegion) -> Option<Self> {
         let PlateContact { force, area } = region.plates?;
         let second = region.second.as_deref().and_then(|second| second.plates);
-        let range = second
-            .map(|second| hull(with_error(force), with_error(second.force)).map(|end| six(end.max(0.0))));
+        let range = second.map(|second| hull_of_values(force, second.force));
         Some(Self {
             force_N: not_below_zero(force),
             force_range_N: range,

@@ -158,5 +158,5 @@ fn region_pressure(
 }
 
 fn refused(problem: String, remedy: &str) -> PredictFault {
-    PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::load::CHAMBERS, problem) }
+    PredictFault::new(key::load::CHAMBERS, problem).with_remedy(remedy)
 }

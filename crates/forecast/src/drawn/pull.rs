@@ -1,16 +1,16 @@
 //! How hard a drawn chamber pulls at two bars that hold seams of it, and how far.
 
 use crate::drawn::chambers::DrawnChamber;
-use crate::drawn::measures::{furthest, nearest_edge};
+use crate::drawn::measures::{furthest, nearest_chamber, nearest_edge};
 use crate::meshed::{MeshedValue, six};
 use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
-use geom::{Line, Nearest, Point, Segment};
+use geom::{Line, Point, Segment};
 use inflatable::mechanics::strength::GRAVITY;
 use inflatable::shell::cases::{Pull, PullAtStroke, PulledRegion, Wrinkles};
 use serde::Serialize;
 use spec::units::{Length, Mass, Readable};
-use spec::{KeyPath, Spec, key};
+use spec::{Spec, key};
 
 /// The pull of a chamber at two bars.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,8 +44,10 @@ pub(super) struct PlacedPull {
     names: [String; 2],
     /// Index of the chamber.
     pub(super) chamber: usize,
-    /// The ends of each on the edge of its air, mm.
-    bars: [[Point; 2]; 2],
+    /// Each on the edge of its air, mm.
+    bars: [Line; 2],
+    /// Distance of their middles, mm.
+    distance: f64,
     mass: Option<Mass>,
 }
 
@@ -67,109 +69,82 @@ pub(super) fn placed(
     let load = spec.load.as_ref();
     let mass = load.and_then(|load| load.mass);
     if figures.is_empty() {
-        let without_bars = "`mass` hangs on bars, and no layer has the role `pull`: draw two lines along seams, or delete it";
-        return mass.map_or(Ok(None), |_| Err(fault(key::load::MASS, without_bars.to_owned(), "")));
+        let fault = PredictFault::new(
+            key::load::MASS,
+            "`mass` hangs on bars, and no layer has the role `pull`".to_owned(),
+        );
+        return mass.map_or(Ok(None), |_| Err(fault.with_remedy("draw two lines along seams, or delete it")));
     }
     if load.is_some_and(|load| load.plates.is_some()) {
-        let problem = "a chamber is computed between plates or between bars, not both";
-        return Err(fault(key::load::PLATES, problem.to_owned(), "delete `plates`, or the role `pull`"));
+        let problem = "a chamber is computed between plates or between bars, not both".to_owned();
+        return Err(
+            PredictFault::new(key::load::PLATES, problem).with_remedy("delete `plates`, or the role `pull`")
+        );
     }
     let [first, second] = figures else {
         let problem = format!("role `pull` has {} figures, and bars are two", figures.len());
-        return Err(fault(key::drawing::LAYERS, problem, "draw two straight lines, each along a seam"));
+        return Err(misdrawn(problem, "draw two straight lines, each along a seam"));
     };
-    let bars = [first, second];
+    let names = [first, second].map(|bar| bar.name.clone());
     let reach = spec.seal.band.0 + spec.seal.allowance.0;
-    let placed_bars = [place(first, chambers, reach)?, place(second, chambers, reach)?];
-    if placed_bars[0].chamber != placed_bars[1].chamber {
+    let [(chamber, bar), (other_chamber, other_bar)] =
+        [place(first, chambers, reach)?, place(second, chambers, reach)?];
+    if chamber != other_chamber {
+        let [name, other_name] = &names;
         let problem = format!(
-            "bars {:?} and {:?} hold different chambers, and each chamber is computed alone",
-            first.name, second.name
+            "bars {name:?} and {other_name:?} hold different chambers, and each chamber is computed alone"
         );
-        return Err(fault(key::drawing::LAYERS, problem, "draw both along seams of one chamber"));
+        return Err(misdrawn(problem, "draw both along seams of one chamber"));
     }
-    let [from, to] = placed_bars.each_ref().map(|bar| bar.ends[0].midpoint(bar.ends[1]));
-    if from.distance(to) < LEAST_DISTANCE {
-        let problem = format!(
-            "bars {:?} and {:?} are {} mm apart",
-            first.name,
-            second.name,
-            Readable(six(from.distance(to)))
-        );
-        return Err(fault(
-            key::drawing::LAYERS,
-            problem,
-            "draw them along seams that come nearer to each other",
-        ));
+    let distance = middle(bar).distance(middle(other_bar));
+    if distance < LEAST_DISTANCE {
+        let [name, other_name] = &names;
+        let problem = format!("bars {name:?} and {other_name:?} are {} mm apart", Readable(six(distance)));
+        return Err(misdrawn(problem, "draw them along seams that come nearer to each other"));
     }
-    Ok(Some(PlacedPull {
-        names: bars.map(|bar| bar.name.clone()),
-        chamber: placed_bars[0].chamber,
-        bars: placed_bars.map(|bar| bar.ends),
-        mass,
-    }))
+    Ok(Some(PlacedPull { names, chamber, bars: [bar, other_bar], distance, mass }))
 }
 
-fn fault(key: KeyPath, problem: String, remedy: &str) -> PredictFault {
-    let remedy = (!remedy.is_empty()).then(|| remedy.to_owned());
-    PredictFault { remedy, ..PredictFault::new(key, problem) }
+fn misdrawn(problem: String, remedy: &str) -> PredictFault {
+    PredictFault::new(key::drawing::LAYERS, problem).with_remedy(remedy)
 }
 
-/// A bar on the edge of a chamber's air.
-struct PlacedBar {
-    chamber: usize,
-    ends: [Point; 2],
+fn middle(bar: Line) -> Point {
+    bar.start.midpoint(bar.end)
 }
 
-/// `bar` on the straight seam next to it.
-fn place(bar: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<PlacedBar, PredictFault> {
+/// `bar` on the straight seam next to it, and the index of the chamber.
+fn place(bar: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<(usize, Line), PredictFault> {
     let MeasureForm::Line(ends) = &bar.form else {
         let problem = format!("bar {:?} is no straight line", bar.name);
-        return Err(fault(key::drawing::LAYERS, problem, "draw a straight line along a straight seam"));
+        return Err(misdrawn(problem, "draw a straight line along a straight seam"));
     };
-    let edges = chambers.iter().map(|chamber| on_air_edge(chamber, ends)).enumerate();
-    let nearest = edges
-        .filter(|(_, places)| places.len() == ends.len())
-        .min_by(|(_, a), (_, b)| furthest(a).total_cmp(&furthest(b)));
-    let problem = match nearest {
+    let problem = match nearest_chamber(chambers, ends, nearest_edge) {
         Some((chamber, places)) if furthest(&places) <= reach => {
-            let ends = [places[0].point, places[1].point];
-            if is_along_edge(&chambers[chamber], ends) {
-                return Ok(PlacedBar { chamber, ends });
+            let line = Line::new(places[0].point, places[1].point);
+            if is_along_edge(&chambers[chamber], line) {
+                return Ok((chamber, line));
             }
             format!("bar {:?} does not lie along a straight seam", bar.name)
         }
         _ => format!("bar {:?} lies more than {} mm from the air", bar.name, Readable(reach)),
     };
-    Err(fault(
-        key::drawing::LAYERS,
-        problem,
-        "draw it along a straight seam: on the edge of the air, the band or the allowance",
-    ))
+    Err(misdrawn(problem, "draw it along a straight seam: on the edge of the air, the band or the allowance"))
 }
 
-/// The places on the edges of a chamber's air that are nearest to `points`.
-fn on_air_edge(chamber: &DrawnChamber, points: &[Point]) -> Vec<Nearest> {
-    points.iter().filter_map(|point| nearest_edge(&chamber.flat, *point)).collect()
-}
-
-/// Whether the line between `ends` is as long as a bar may be and lies on edges of the air.
-fn is_along_edge(chamber: &DrawnChamber, ends: [Point; 2]) -> bool {
-    let line: Segment = Line::new(ends[0], ends[1]).into();
-    let points = (0..POINTS_ON_BAR)
-        .map(|k| line.point(f64::from(k) / f64::from(POINTS_ON_BAR - 1)))
-        .collect::<Vec<Point>>();
-    let places = on_air_edge(chamber, &points);
-    line.length() > ON_SEAM && places.len() == points.len() && furthest(&places) <= ON_SEAM
+/// Whether `line` is long enough for a bar and lies on edges of the air.
+fn is_along_edge(chamber: &DrawnChamber, line: Line) -> bool {
+    let line: Segment = line.into();
+    let mut points = (0..POINTS_ON_BAR).map(|k| line.point(f64::from(k) / f64::from(POINTS_ON_BAR - 1)));
+    line.length() > ON_SEAM
+        && points
+            .all(|point| nearest_edge(&chamber.flat, point).is_some_and(|place| place.distance <= ON_SEAM))
 }
 
 impl PlacedPull {
     /// The bars and their load in SI units.
     pub(super) fn request(&self) -> Pull {
-        Pull {
-            bars: self.bars.map(|bar| bar.map(|end| [end.x, end.y].map(|x| Length(x).metres()))),
-            load: self.mass.map(|mass| mass.0 * GRAVITY),
-        }
+        Pull { bars: self.bars.map(in_metres), load: self.mass.map(|mass| mass.0 * GRAVITY) }
     }
 
     /// The answer of the shell.
@@ -182,7 +157,7 @@ impl PlacedPull {
         PullPrediction {
             bars: self.names.clone(),
             chamber: self.chamber + 1,
-            distance_mm: six(1e3 * pulled.distance),
+            distance_mm: six(self.distance),
             blocked_force_N: MeshedValue::rounded(blocked),
             free_stroke_mm: MeshedValue::rounded(free_stroke.scaled(1e3)),
             mass_kg: self.mass.map(|mass| mass.0),
@@ -191,4 +166,10 @@ impl PlacedPull {
             wrinkles: if pulled.wrinkles == Wrinkles::Resolved { "resolved" } else { "averaged" },
         }
     }
+}
+
+/// A line in mm.
+fn in_metres(line: Line) -> Line {
+    let [start, end] = [line.start, line.end].map(|p| Point::new(Length(p.x).metres(), Length(p.y).metres()));
+    Line::new(start, end)
 }

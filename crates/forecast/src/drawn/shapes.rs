@@ -6,7 +6,7 @@
 //! V-actuators, at 1/eps from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps.
 
 use crate::interval::{Interval, hull};
-use crate::meshed::{MeshedPlace, MeshedValue, six};
+use crate::meshed::{MeshedPlace, MeshedValue, six, with_error};
 use inflatable::shell::cases::{InflatedRegion, Value, Wrinkles};
 use serde::Serialize;
 
@@ -86,9 +86,8 @@ impl ShapeRanges {
 }
 
 /// The interval that holds two values with their errors; none is below 0.
-fn hull_of_values(first: Value, second: Value) -> Interval {
-    let [first, second] = [first, second].map(|value| [value.value - value.error, value.value + value.error]);
-    hull(first, second).map(|end| six(end.max(0.0)))
+pub(super) fn hull_of_values(first: Value, second: Value) -> Interval {
+    hull(with_error(first), with_error(second)).map(|end| six(end.max(0.0)))
 }
 
 /// The range of a `pull` by its mesh error.

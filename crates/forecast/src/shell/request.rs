@@ -43,7 +43,7 @@ pub fn no_pressure() -> ShellRefusal {
 /// The fault of a pressure, Pa, at which there is no shell.
 fn out_of_range(pressure: f64, range: Interval) -> PredictFault {
     let (problem, remedy) = pressure_finding(SHELL, pressure, range);
-    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, problem) }
+    PredictFault::new(key::load::PRESSURE, problem).with_remedy(remedy)
 }
 
 /// The shell's values of a star: each number with its mesh error.
@@ -101,7 +101,7 @@ fn askew(points: u32) -> PredictFault {
         "{warp}remove `shear_modulus` from [fabric] for isotropic fabric, or compute with the model \"section\", which leaves the \
          weave out; docs/weave.md tells how much a weave changes"
     );
-    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, problem) }
+    PredictFault::new(key::fabric::WARP, problem).with_remedy(remedy)
 }
 
 /// The weave of `fabric`, as the shell's input.
@@ -166,12 +166,12 @@ pub(crate) fn refused(
             return ShellRefusal::Fault(PredictFault { what: format!("{subject}{}", fault.what), ..fault });
         }
         ShellFault::Range { name: Input::Poisson, least, most, .. } => {
-            let remedy = Some(poisson_values([*least, *most]));
-            return PredictFault { remedy, ..PredictFault::new(key::fabric::POISSON_RATIO, message) }.into();
+            let values = poisson_values([*least, *most]);
+            return PredictFault::new(key::fabric::POISSON_RATIO, message).with_remedy(values).into();
         }
         ShellFault::Range { name: Input::Slenderness, found: ratio, least, most } => {
             let (key, values) = thickness_values(fabric, [least / ratio, most / ratio]);
-            return PredictFault { remedy: Some(values), ..PredictFault::new(key, message) }.into();
+            return PredictFault::new(key, message).with_remedy(values).into();
         }
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
         ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,

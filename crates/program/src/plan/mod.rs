@@ -57,5 +57,5 @@ pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
 pub use travel::TravelLimits;
-pub use version::{OtherVersion, other_version};
+pub use version::{MEAN_TOLERANCE, OtherVersion, other_version};
 pub use written::{Precision, is_straight};

@@ -3,8 +3,8 @@
 use crate::plan::{Chop, Pace, Program, Stepper};
 use spec::FIRST_STEP_RATE;
 
-/// Tolerance of the mean speed, relative.
-const MEAN: f64 = 0.002;
+/// Tolerance of a chopped seal's mean speed, relative.
+pub const MEAN_TOLERANCE: f64 = 0.002;
 
 /// A version of the firmware on which a seal leaves its speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,7 @@ fn worst(chop: &Chop, speed: f64) -> Option<OtherVersion> {
             difference.abs() * speed / chop.longest
         });
     let error = errors.into_iter().fold(0.0, f64::max);
-    (error > MEAN).then_some(OtherVersion { has_first_rate, error })
+    (error > MEAN_TOLERANCE).then_some(OtherVersion { has_first_rate, error })
 }
 
 #[cfg(test)]

@@ -172,15 +172,18 @@ impl FlatChamber {
 
 fn scaled(path: &Path, factor: f64) -> Path {
     let segments = path.segments.iter().map(|segment| match *segment {
-        Segment::Line(line) => {
-            Segment::Line(geom::Line::new(scaled_point(line.start, factor), scaled_point(line.end, factor)))
-        }
+        Segment::Line(line) => Segment::Line(scaled_line(line, factor)),
         Segment::Arc(arc) => {
             let center = scaled_point(arc.center, factor);
             Segment::Arc(geom::Arc { center, radius: factor * arc.radius, ..arc })
         }
     });
     Path { segments: segments.collect(), closed: path.closed }
+}
+
+/// `line` with lengths `factor` times as long.
+pub(in crate::shell) fn scaled_line(line: geom::Line, factor: f64) -> geom::Line {
+    geom::Line::new(scaled_point(line.start, factor), scaled_point(line.end, factor))
 }
 
 fn scaled_point(p: Point, factor: f64) -> Point {

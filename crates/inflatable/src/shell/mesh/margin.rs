@@ -118,16 +118,16 @@ impl Meshed {
     /// The points of `rim` from its last to its first, and the piece of each but the last.
     fn rim_loop(&self, rim: &RimPieces) -> (Vec<usize>, Vec<usize>) {
         let (mut rim_points, mut loop_pieces) = (Vec::new(), Vec::new());
-        for at in rim.pieces.iter().rev() {
+        for piece in rim.pieces.iter().rev() {
             let mut run: Vec<[(f64, usize); 2]> = (self.mesh.edges.iter().zip(&self.piece_of))
-                .filter(|(_, on)| **on == Some(*at))
-                .map(|(edge, _)| edge.ends.map(|point| (self.fraction(*at, point), point)))
+                .filter(|(_, on)| **on == Some(*piece))
+                .map(|(edge, _)| edge.ends.map(|point| (self.fraction(*piece, point), point)))
                 .map(|[a, b]| if a.0 > b.0 { [a, b] } else { [b, a] })
                 .collect();
             run.sort_by(|[a, _], [b, _]| b.0.total_cmp(&a.0));
             rim_points.extend(run.iter().map(|[(_, start), _]| *start));
-            loop_pieces.extend(run.iter().map(|_| *at));
-            if *at == rim.pieces[0] {
+            loop_pieces.extend(run.iter().map(|_| *piece));
+            if *piece == rim.pieces[0] {
                 rim_points.extend(run.last().map(|[_, (_, end)]| *end));
             }
         }

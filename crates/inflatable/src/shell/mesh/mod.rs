@@ -27,6 +27,7 @@ mod width;
 pub(crate) use cases::HingeSector;
 pub use cases::{HalfActuator, HalfSector};
 pub use chamber::FlatChamber;
+pub(in crate::shell) use chamber::scaled_line;
 pub use fault::MeshFault;
 #[cfg(test)]
 pub(crate) use grid::{Diagonal, rectangle};

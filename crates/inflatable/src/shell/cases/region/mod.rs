@@ -29,5 +29,5 @@ pub use answer::{InflatedRegion, PlaneState, PlateContact, RegionSeam, SeamPull,
 pub use chambers::{FlatRegion, chambers};
 pub use inflate::region;
 pub use pressures::PartialPressure;
-pub use pull::{Bar, Pull, PullAtStroke, PulledRegion, STROKES, pull};
+pub use pull::{Pull, PullAtStroke, PulledRegion, STROKES, pull};
 pub use surface::Surface;

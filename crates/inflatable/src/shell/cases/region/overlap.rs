@@ -1,5 +1,6 @@
 //! Whether the inflated shape lies over itself: whether its rims cross each other in the plane.
 
+use crate::shell::element::volume::projected_area;
 use crate::shell::mesh::{Border, Mesh};
 
 /// The flat places of two edges of rims that cross each other in the shape with these `points`, lengths by the chamber's width. Edges that lie
@@ -30,12 +31,8 @@ fn least_x(points: &[[f64; 3]], [a, b]: &[usize; 2]) -> f64 {
 
 /// Whether two segments cross each other in plan view, each strictly inside of the other.
 fn cross([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> bool {
-    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
-}
-
-/// Twice the signed area of a triangle in plan view.
-fn turn(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    projected_area([a, b, c]) * projected_area([a, b, d]) < 0.0
+        && projected_area([c, d, a]) * projected_area([c, d, b]) < 0.0
 }
 
 fn middle([a, b]: [[f64; 2]; 2]) -> [f64; 2] {

@@ -5,9 +5,6 @@ use crate::shell::cases::region::supports::SealedNodes;
 use crate::shell::mesh::Mesh;
 use geom::{Line, Point, Segment};
 
-/// A rigid bar along a seam: its ends on the flat sheet.
-pub type Bar = [[f64; 2]; 2];
-
 /// Distance of a sealed node from a bar that holds it, by the chamber's width.
 const ON_BAR: f64 = 1e-6;
 
@@ -16,7 +13,7 @@ pub(super) struct HeldNodes {
     /// Of each bar, with their positions on the flat sheet.
     nodes: [Vec<(usize, [f64; 2])>; 2],
     /// Unit vector from the first bar to the second.
-    pub(super) direction: [f64; 2],
+    direction: [f64; 2],
     /// Distance of the bars on the flat sheet.
     pub(super) distance: f64,
     /// Of each point of the mesh how far it lies between the bars: 0 at the first, 1 at the second.
@@ -24,11 +21,11 @@ pub(super) struct HeldNodes {
 }
 
 impl HeldNodes {
-    pub(super) fn new(mesh: &Mesh, sealed: &SealedNodes, bars: [Bar; 2]) -> Self {
+    pub(super) fn new(mesh: &Mesh, sealed: &SealedNodes, bars: [Line; 2]) -> Self {
         let [first, second] = bars.map(middle);
-        let distance = distance_of(bars);
-        let direction = [0, 1].map(|axis| (second[axis] - first[axis]) / distance);
-        let offsets = mesh.points.iter().map(|[x, y]| [x - first[0], y - first[1]]);
+        let distance = first.distance(second);
+        let direction = [(second.x - first.x) / distance, (second.y - first.y) / distance];
+        let offsets = mesh.points.iter().map(|[x, y]| [x - first.x, y - first.y]);
         let parts = offsets.map(|[x, y]| (x * direction[0] + y * direction[1]) / distance);
         Self {
             nodes: bars.map(|bar| nodes_on(bar, mesh, sealed)),
@@ -74,20 +71,14 @@ impl HeldNodes {
 }
 
 /// The sealed nodes of `mesh` on a bar.
-fn nodes_on([start, end]: Bar, mesh: &Mesh, sealed: &SealedNodes) -> Vec<(usize, [f64; 2])> {
-    let bar: Segment = Line::new(Point::new(start[0], start[1]), Point::new(end[0], end[1])).into();
+fn nodes_on(bar: Line, mesh: &Mesh, sealed: &SealedNodes) -> Vec<(usize, [f64; 2])> {
+    let bar = Segment::from(bar);
     let nodes = mesh.points.iter().copied().enumerate();
     nodes
         .filter(|(node, [x, y])| sealed.points[*node] && bar.distance(Point::new(*x, *y)) <= ON_BAR)
         .collect()
 }
 
-/// Distance of the middles of two bars.
-pub(super) fn distance_of(bars: [Bar; 2]) -> f64 {
-    let [[x, y], [other_x, other_y]] = bars.map(middle);
-    libm::hypot(other_x - x, other_y - y)
-}
-
-fn middle([start, end]: Bar) -> [f64; 2] {
-    [0, 1].map(|axis| f64::midpoint(start[axis], end[axis]))
+fn middle(bar: Line) -> Point {
+    bar.start.midpoint(bar.end)
 }

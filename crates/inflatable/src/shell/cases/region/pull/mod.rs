@@ -14,15 +14,14 @@ use crate::shell::cases::region::answer::Wrinkles;
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::inflate::{load_parts, most_resolved, tube_of};
 use crate::shell::cases::region::pressures::PartialPressure;
-use crate::shell::cases::region::pull::bars::{HeldNodes, distance_of};
+use crate::shell::cases::region::pull::bars::HeldNodes;
 use crate::shell::cases::region::pull::shortened::Shortened;
 use crate::shell::cases::region::supports::{SealedNodes, level};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{FlatChamber, Meshed};
+use crate::shell::mesh::{FlatChamber, Meshed, scaled_line};
 use crate::shell::solver::{Equilibrium, Solver, Stop};
-
-pub use bars::Bar;
+use geom::Line;
 
 /// Number of strokes of a curve.
 pub const STROKES: usize = 9;
@@ -34,8 +33,8 @@ const LOADED: usize = FREE + 1;
 /// Two bars and what hangs on one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pull {
-    /// The bars.
-    pub bars: [Bar; 2],
+    /// The bars on the flat sheet, m, along seams.
+    pub bars: [Line; 2],
     /// A force that draws them apart, N, if its stroke is wanted.
     pub load: Option<f64>,
 }
@@ -54,8 +53,6 @@ pub struct PullAtStroke {
 /// The pull of a chamber under pressure; both sheets, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PulledRegion {
-    /// Distance of the bars on the flat sheet, m.
-    pub distance: f64,
     /// Force against stroke: from the flat distance, where the force is the blocked one, to the free stroke of the coarsest mesh.
     pub curve: Vec<PullAtStroke>,
     /// The stroke without a force, m.
@@ -103,7 +100,7 @@ struct PulledCase {
 impl PulledCase {
     fn new(case: &FlatRegion, Pull { bars, load }: &Pull, tube: Tube, wrinkles: Wrinkles) -> Self {
         let width = tube.width;
-        let bars = bars.map(|bar| bar.map(|end| end.map(|x| x / width)));
+        let bars = bars.map(|bar| scaled_line(bar, 1.0 / width));
         let load = load.map(|force| force / (tube.fabric.stretch * width));
         Self {
             tube,
@@ -191,7 +188,6 @@ impl PulledCase {
         });
         let loaded = values[LOADED].scaled(width);
         PulledRegion {
-            distance: distance_of(self.request.bars) * width,
             curve: curve.collect(),
             free_stroke: values[FREE].scaled(width),
             loaded_stroke: loaded.meshes.iter().all(|mesh| mesh.is_finite()).then_some(loaded),
