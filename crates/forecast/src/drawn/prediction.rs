@@ -136,7 +136,7 @@ keyed! {
         /// The other stable shape at this pressure, if one was found.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub second_shape: Option<SecondShape>,
-        /// Contact with each plate, between `plates` of [load]: `force_N` and `contact_area_mm2`.
+        /// Contact with each plate, between `plates` of `[load]`: `force_N` and `contact_area_mm2`.
         #[serde(skip_serializing_if = "Option::is_none")]
         pub plates: Option<PlatesPrediction>,
         /// Largest distance between the sheets.

@@ -26,7 +26,7 @@ pub struct PullPrediction {
     pub blocked_force_N: MeshedValue,
     /// How far it draws the bars together if nothing holds them.
     pub free_stroke_mm: MeshedValue,
-    /// What hangs on the bars, by `mass` in [load].
+    /// What hangs on the bars, by `mass` in `[load]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass_kg: Option<f64>,
     /// How far it lifts that; absent where it does not.
