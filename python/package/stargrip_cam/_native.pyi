@@ -595,7 +595,7 @@ class Chamber:
         """The other stable shape at this pressure, if one was found."""
     @property
     def plates(self) -> dict[str, Any] | None:
-        """Contact with each plate, between `plates` of [load]: `force_N` and `contact_area_mm2`."""
+        """Contact with each plate, between `plates` of `[load]`: `force_N` and `contact_area_mm2`."""
     @property
     def height_mm(self) -> dict[str, Any] | None:
         """Largest distance between the sheets."""
