@@ -10,7 +10,8 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
-use stargrip_cam::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction as Drawn};
+use stargrip_cam::forecast::drawn::chamber_prediction::ChamberPrediction;
+use stargrip_cam::forecast::drawn::prediction::DrawnPrediction as Drawn;
 use stargrip_cam::forecast::keys::{Key, KeyKind};
 use stargrip_cam::forecast::prediction as answers;
 use stargrip_cam::units::count_text;
@@ -133,15 +134,17 @@ fn spelled(key: &Key) -> String {
 /// Name and type of every key of each class, for `python/stubs.py`.
 #[pyfunction]
 pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
-    let typed = |keys: &'static [&'static [Key]]| {
-        keys.iter().copied().flatten().map(|key| (key.name, spelled(key))).collect()
-    };
     BTreeMap::from([
         ("Prediction", typed(Prediction::KEYS)),
         ("DrawnPrediction", typed(DrawnPrediction::KEYS)),
         ("Chamber", typed(Chamber::KEYS)),
         ("ActuatorPrediction", typed(ActuatorPrediction::KEYS)),
     ])
+}
+
+/// The names of `keys`, each with its type.
+fn typed(keys: &'static [&'static [Key]]) -> Vec<(&'static str, String)> {
+    keys.iter().copied().flatten().map(|key| (key.name, spelled(key))).collect()
 }
 
 /// Implements a class of answers with these keys.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stargrip_cam::answer::object::{NearRequest, NoGripper, Request, base, read_value, sheet};
+use stargrip_cam::answer::new_gripper::NearRequest;
+use stargrip_cam::answer::object::{NoGripper, Request, base, read_value, sheet};
 use stargrip_cam::cli::embedded;
 use stargrip_cam::spec::starter;
 

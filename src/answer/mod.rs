@@ -2,6 +2,7 @@
 
 pub mod codes;
 mod duration;
+pub mod new_gripper;
 pub mod object;
 pub mod proof;
 pub mod quantity;

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::answer::duration::sealing_in_words;
 use crate::pipeline::Forecast;
 use design::CutEdge;
-use forecast::drawn::prediction::ChamberPrediction;
+use forecast::drawn::chamber_prediction::ChamberPrediction;
 use forecast::interval::scaled;
 use forecast::prediction::{Prediction, StarPrediction, groups_of_equals};
 use forecast::ranges::shown::{self, or_unknown, rounded, with_limit};

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use crate::answer::new_gripper::NearRequest;
 use crate::answer::object;
-use crate::answer::object::{FORCES, FRICTIONS, MASSES, NearRequest, NoGripper, PRESSURES, Request, sheet};
+use crate::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, sheet};
 use crate::answer::quantity::{SIZE, number, stated};
 use crate::cli::defaults;
 use crate::cli::escape::argument;
@@ -15,7 +16,7 @@ use forecast::sizing::Requirements;
 use spec::units::{Force, Length, Mass, Pressure, Readable, Stated};
 use spec::{Machine, ObjectShape, Source, Spec};
 
-pub(super) use crate::answer::object::NewGripper;
+pub(super) use crate::answer::new_gripper::NewGripper;
 
 /// All of [`ObjectArgs`], which a drawing excludes.
 pub(super) const OBJECT_OPTIONS: [&str; 9] =

@@ -1,9 +1,9 @@
 //! Drawn pieces under pressure: shapes of known size, walls and islands, and refused inputs.
 
 use stargrip_cam::design::{Design, DrawnPieces};
+use stargrip_cam::forecast::drawn::chamber_prediction::{ChamberPrediction, PlaneAnswer};
 use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
-use stargrip_cam::forecast::drawn::prediction::ChamberPrediction;
-use stargrip_cam::forecast::drawn::prediction::{DrawnPrediction, PlaneAnswer};
+use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;

@@ -5,7 +5,8 @@
 //! of drawn chambers extents, height and volume. It is the farther end of a range, or a shell's mesh error. Meshes of a star may agree on
 //! a wrong number, so its shells state at least their typical distance from the finest ones (docs/trade.md).
 
-use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
+use crate::drawn::chamber_prediction::ChamberPrediction;
+use crate::drawn::prediction::DrawnPrediction;
 use crate::interval::relative_error;
 use crate::meshed::MeshedPlace;
 use crate::prediction::{Prediction, StarPrediction};

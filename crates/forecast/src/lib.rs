@@ -62,4 +62,5 @@ pub mod study;
 pub mod tone;
 pub mod trade;
 pub mod verdict;
+pub mod verdict_answer;
 pub mod warning;

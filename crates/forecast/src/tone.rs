@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::drawn::prediction::DrawnPrediction;
-use crate::prediction::{Holds, Prediction};
+use crate::prediction::Prediction;
+use crate::verdict_answer::Holds;
 
 /// How a verdict is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

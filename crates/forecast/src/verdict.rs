@@ -7,9 +7,9 @@ use crate::load_check::{
 };
 use crate::outcome::Grip;
 use crate::prediction::StackPayload;
-pub use crate::prediction::{Holds, Verdict};
 use crate::prediction::{Prediction, StarPrediction, groups_of_equals};
 use crate::ranges::shown::{distinct, listed};
+pub use crate::verdict_answer::{Holds, Verdict};
 use design::{Object, Refusal, RefusalCode, Stand};
 use inflatable::mechanics::strength::GRAVITY;
 use spec::units::{Force, Mass, tenths_up};
@@ -50,8 +50,8 @@ pub fn refusals(spec: &Spec, prediction: &Prediction) -> Vec<Refusal> {
     // One star that holds the object will do.
     let idle = judged.is_idle();
     let counts = |finding: &&VerdictLine| match finding.weight {
-        Weight::Idle => idle,
-        weight => weight != Weight::Doubted,
+        LineWeight::Idle => idle,
+        weight => weight != LineWeight::Doubted,
     };
     judged.findings.iter().filter(counts).map(VerdictLine::refusal).collect()
 }
@@ -92,7 +92,7 @@ fn required_force(load: &Load, friction: f64) -> Option<f64> {
 
 /// The weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Weight {
+enum LineWeight {
     /// The star does not hold the object: another one may.
     Idle,
     /// The gripper does not meet its purpose.
@@ -106,7 +106,7 @@ enum Weight {
 /// One thing that was found.
 #[derive(Debug)]
 struct VerdictLine {
-    weight: Weight,
+    weight: LineWeight,
     /// Numbers of its stars, 1 = bottom, where there are several.
     stars: Vec<usize>,
     /// Of a doubt only the words and the code count.
@@ -157,23 +157,26 @@ impl VerdictLines {
         judged
     }
 
-    fn has_weight(&self, weight: Weight) -> bool {
+    fn has_weight(&self, weight: LineWeight) -> bool {
         self.findings.iter().any(|finding| finding.weight == weight)
     }
 
     /// Whether no star holds the object.
     fn is_idle(&self) -> bool {
-        let idle = self.findings.iter().filter(|finding| finding.weight == Weight::Idle);
+        let idle = self.findings.iter().filter(|finding| finding.weight == LineWeight::Idle);
         idle.map(|finding| finding.stars.len().max(1)).sum::<usize>() == self.stars
     }
 
     fn is_refuted(&self) -> bool {
-        self.has_weight(Weight::Refuted) || self.is_idle()
+        self.has_weight(LineWeight::Refuted) || self.is_idle()
     }
 
     /// Whether the gripper holds the object.
     fn answer(&self) -> Holds {
-        match (self.is_refuted(), self.has_weight(Weight::Doubted) || self.has_weight(Weight::Unknown)) {
+        match (
+            self.is_refuted(),
+            self.has_weight(LineWeight::Doubted) || self.has_weight(LineWeight::Unknown),
+        ) {
             (true, _) => Holds::No,
             (_, true) => Holds::Unknown,
             _ => Holds::Yes,
@@ -183,15 +186,15 @@ impl VerdictLines {
     /// The code of the decisive finding.
     fn code(&self) -> Option<&'static str> {
         let decides = if self.is_refuted() {
-            [Weight::Refuted, Weight::Idle]
+            [LineWeight::Refuted, LineWeight::Idle]
         } else {
-            [Weight::Unknown, Weight::Doubted]
+            [LineWeight::Unknown, LineWeight::Doubted]
         };
         let of_weight = |weight| self.findings.iter().find(|finding| finding.weight == weight);
         decides.into_iter().find_map(of_weight).map(|finding| finding.refusal.code.as_str())
     }
 
-    fn add(&mut self, weight: Weight, stars: &[usize], refusal: Refusal) {
+    fn add(&mut self, weight: LineWeight, stars: &[usize], refusal: Refusal) {
         let equal =
             self.findings.iter_mut().find(|finding| finding.weight == weight && finding.refusal == refusal);
         match equal {
@@ -206,20 +209,20 @@ impl VerdictLines {
     /// Adds a doubt; its key and remedy are never read.
     fn doubt(&mut self, stars: &[usize], text: String) {
         let code = RefusalCode::MayNotHold;
-        self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
+        self.add(LineWeight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
     }
 
     /// Adds the findings about `star` and those that equal it, `group` by number. They are named where other stars differ.
     fn star(&mut self, spec: &Spec, load: &Load, star: &StarPrediction, group: &[usize]) {
         let numbers = if self.stars > 1 { group } else { &[] };
         if let Some(refusal) = bursts(load, star) {
-            self.add(Weight::Refuted, numbers, refusal);
+            self.add(LineWeight::Refuted, numbers, refusal);
         }
         if let Some(reason) = may_burst(star) {
             self.doubt(numbers, reason);
         }
         if let Some(refusal) = outside_models(spec, load, star) {
-            return self.add(Weight::Unknown, numbers, refusal);
+            return self.add(LineWeight::Unknown, numbers, refusal);
         }
         let Some(object) = star.object_radius_mm else { return };
         if let Some(refusal) =
@@ -228,7 +231,7 @@ impl VerdictLines {
             return self.blocks(numbers, refusal);
         }
         if let Some(refusal) = size_refusal(load, star, object) {
-            return self.add(Weight::Idle, numbers, refusal);
+            return self.add(LineWeight::Idle, numbers, refusal);
         }
         for reason in doubts(load, star, object) {
             self.doubt(numbers, reason);
@@ -237,13 +240,13 @@ impl VerdictLines {
         if let Some((Force(limit), range)) = load.largest_force.zip(star.ranges.object_force_N)
             && range[0] > limit
         {
-            self.add(Weight::Refuted, numbers, too_hard(range, limit));
+            self.add(LineWeight::Refuted, numbers, too_hard(range, limit));
         }
     }
 
     /// Stars whose holes stop the object on the way to its place. Those before them may hold it where it stops.
     fn blocks(&mut self, numbers: &[usize], refusal: Refusal) {
-        let weight = if self.enters { Weight::Idle } else { Weight::Refuted };
+        let weight = if self.enters { LineWeight::Idle } else { LineWeight::Refuted };
         self.add(weight, numbers, refusal);
         if self.enters {
             let text = "it stops there, so where other stars hold it, and how hard, is unknown";
@@ -259,10 +262,10 @@ impl VerdictLines {
         let carried = load.mass.map(|mass| mass.0).zip(payload.range_kg);
         let doubt = match (ends, force_range(stars), force(stars)) {
             (Some([required, _]), Some(range), _) if range[1] < required => {
-                return self.add(Weight::Refuted, &[], too_heavy(load, range, required, payload));
+                return self.add(LineWeight::Refuted, &[], too_heavy(load, range, required, payload));
             }
             (Some(_), Some(_), _) if carried.is_some_and(|(mass, [_, high])| high < mass) => {
-                return self.add(Weight::Refuted, &[], too_heavy_for_stars(load, stars, payload));
+                return self.add(LineWeight::Refuted, &[], too_heavy_for_stars(load, stars, payload));
             }
             (Some([_, required]), Some([low, _]), _) if low < required => {
                 let friction = load.friction_range().map_or(0.0, |[friction, _]| friction);
@@ -279,7 +282,7 @@ impl VerdictLines {
                 "[load] has a mass, but no friction: whether the gripper carries it is unknown; bare fabric has about 0.3"
                     .to_owned()
             }
-            (_, None, None) if self.has_weight(Weight::Idle) && !self.has_weight(Weight::Doubted) => {
+            (_, None, None) if self.has_weight(LineWeight::Idle) && !self.has_weight(LineWeight::Doubted) => {
                 "the force of all stars together is unknown: not each of them closes around the object".to_owned()
             }
             (_, None, Some(force)) => {

@@ -9,9 +9,10 @@ use forecast::case::Case;
 use forecast::drawn::HOW;
 use forecast::drawn::prediction::DrawnPrediction;
 use forecast::pose::{Pose, PosedStar};
-use forecast::prediction::{Prediction, Verdict};
+use forecast::prediction::Prediction;
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
+use forecast::verdict::Verdict;
 use program::plan::process_times;
 use spec::{Load, Machine, Setting, Source, drawing_settings, settings};
 

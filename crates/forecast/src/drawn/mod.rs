@@ -1,8 +1,9 @@
 //! Drawn chambers under pressure: the shell on the flat regions themselves.
 //!
-//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with ranges where mesh errors alone do not
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with [`chamber_prediction`] for each of them, with ranges where mesh errors alone do not
 //! bound the shape, [`text`] formats it. No hinge model covers a drawn shape, so without the shell only flat quantities are predicted.
 
+pub mod chamber_prediction;
 pub mod chambers;
 pub mod measures;
 pub mod plates;
@@ -13,9 +14,10 @@ pub mod seams;
 pub mod shapes;
 pub mod text;
 
+use crate::drawn::chamber_prediction::ChamberPrediction;
 use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::drawn::measures::PlacedMeasure;
-use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
+use crate::drawn::prediction::{DrawnEvidence, DrawnPrediction};
 use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
 use crate::drawn::pull::{PlacedPull, PullPrediction};
 use crate::drawn::seams::SeamStrengths;

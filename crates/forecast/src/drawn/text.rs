@@ -1,7 +1,8 @@
 //! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
+use crate::drawn::chamber_prediction::{ChamberPrediction, SecondShape};
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
-use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction, SecondShape};
+use crate::drawn::prediction::DrawnPrediction;
 use crate::drawn::pressures::PortPressure;
 use crate::drawn::pull::PullPrediction;
 use crate::interval::{Interval, scaled};

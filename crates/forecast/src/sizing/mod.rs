@@ -6,6 +6,7 @@
 
 mod conflict;
 mod easing;
+mod shortfall;
 mod text;
 
 pub use self::conflict::{Infeasible, NearestRequirements, choose};
