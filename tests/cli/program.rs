@@ -1,15 +1,14 @@
 //! The program as a user runs it: exit codes, streams, files; and its behaviour on bad input.
 
+use crate::support;
+use crate::support::program::{run, stderr, stdout, workshop};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Duration;
 
-use crate::support;
-use crate::support::program::{run, stderr, stdout, workshop};
-
 /// (name, content) of all files in a directory, sorted.
-fn files(dir: &Path) -> Vec<(String, Vec<u8>)> {
+pub(super) fn files(dir: &Path) -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<_> = fs::read_dir(dir)
         .expect("a directory")
         .map(|entry| entry.expect("an entry"))
@@ -22,7 +21,7 @@ fn files(dir: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 #[track_caller]
-fn assert_code(output: &Output, code: i32) {
+pub(super) fn assert_code(output: &Output, code: i32) {
     assert_eq!(output.status.code(), Some(code), "{}\n{}", stdout(output), stderr(output));
     assert!(!stderr(output).contains("panicked"), "{}", stderr(output));
 }
@@ -69,133 +68,6 @@ fn build_then_verify() {
     let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("one JSON object");
     assert_eq!(json["findings"], serde_json::json!([]));
     assert!(json["deviation_mm"]["star-1-seal.gcode"].as_f64().expect("a number") < 0.001);
-}
-
-#[test]
-fn verify_tells_what_is_wrong_and_fails() {
-    let dir = workshop();
-    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
-    let file = dir.path().join("out/star/star-1-seal.gcode");
-    fs::write(&file, fs::read_to_string(&file).expect("text").replace("F6", "F600")).expect("written");
-    let verified = run(dir.path(), &["verify", "out/star"]);
-    assert_code(&verified, 1);
-    assert!(
-        stdout(&verified).contains("star-1-seal.gcode:24: wrong-feed: found F600, allowed F6"),
-        "{}",
-        stdout(&verified)
-    );
-    assert_code(&run(dir.path(), &["verify", "nowhere"]), 1);
-}
-
-/// The manifest of out/star with `change` made in it.
-fn edit_manifest(dir: &Path, change: impl Fn(&mut serde_json::Value)) {
-    let path = dir.join("out/star/manifest.json");
-    let mut manifest: serde_json::Value =
-        serde_json::from_slice(&fs::read(&path).expect("it")).expect("JSON");
-    change(&mut manifest);
-    fs::write(&path, serde_json::to_vec_pretty(&manifest).expect("JSON")).expect("written");
-}
-
-/// No hash covers the version in the manifest, so it must not disable the comparison silently.
-#[test]
-fn a_directory_of_another_version_is_read_back_and_named() {
-    let dir = workshop();
-    let load = format!(
-        "{}\n[load]\npressure = \"20 kPa\"\n",
-        fs::read_to_string(dir.path().join("star.toml")).expect("it")
-    );
-    fs::write(dir.path().join("star.toml"), load).expect("written");
-    assert_code(&run(dir.path(), &["build", "star.toml", "--with", "report", "-q"]), 0);
-    edit_manifest(dir.path(), |manifest| manifest["tool"]["version"] = "9.8.7".into());
-    let verify = |options: &[&str]| run(dir.path(), &[&["verify", "out/star"], options].concat());
-    let json = || -> serde_json::Value {
-        serde_json::from_slice(&verify(&["--json"]).stdout).expect("one JSON object")
-    };
-
-    let plain = verify(&[]);
-    assert_code(&plain, 3);
-    let said = stdout(&plain).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("out/star: written by 9.8.7: read back, not compared; no findings"), "{said}");
-    assert!(!said.contains("not proven:"), "{said}");
-    assert_code(&verify(&["--read-back"]), 0);
-    let quiet = verify(&["-q"]);
-    assert_code(&quiet, 3);
-    assert!(stdout(&quiet).contains("written by 9.8.7"), "{}", stdout(&quiet));
-    // Files equal to the byte are reported all the same.
-    let found = json();
-    assert_eq!(found["written_by"], "9.8.7");
-    assert_eq!(found["unproven"], serde_json::json!([]));
-    let by = |path: &str| {
-        let all = found["proven"].as_array().expect("a list").iter();
-        all.clone().find(|file| file["path"] == path).expect(path)["by"].clone()
-    };
-    assert_eq!((by("report.html"), by("star-1-seal.gcode")), ("bytes".into(), "bytes".into()));
-
-    // No reader judges all of a report: a report that differs is listed as unproven.
-    let report = dir.path().join("out/star/report.html");
-    let text = fs::read_to_string(&report).expect("it").replace("200 C", "450 C");
-    fs::write(&report, &text).expect("written");
-    edit_manifest(dir.path(), |manifest| {
-        let files = manifest["files"].as_array_mut().expect("a list");
-        let entry = files.iter_mut().find(|file| file["path"] == "report.html").expect("it");
-        entry["sha256"] = stargrip_cam::manifest::sha256(text.as_bytes()).into();
-    });
-    assert_eq!(json()["unproven"][0], "report.html");
-    assert!(stdout(&verify(&[])).contains("not proven:"));
-    // A finding remains one with every option.
-    fs::write(&report, text.replace("450 C", "4500 C")).expect("written");
-    assert_code(&verify(&["--read-back"]), 1);
-}
-
-/// Models change from version to version: an older directory with other predictions must not look damaged.
-#[test]
-fn predictions_of_another_version_are_unproven_and_no_finding() {
-    let dir = workshop();
-    let load = "\n[load]\npressure = \"20 kPa\"\nobject_diameter = \"80 mm\"\nmass = \"0.1 kg\"\n";
-    let spec = dir.path().join("star.toml");
-    fs::write(&spec, fs::read_to_string(&spec).expect("it") + load).expect("written");
-    assert_code(&run(dir.path(), &["build", "star.toml", "-q"]), 0);
-    edit_manifest(dir.path(), |manifest| manifest["tool"]["version"] = "0.0.9".into());
-    let path = dir.path().join("out/star/prediction.json");
-    let replace = |text: &str| {
-        fs::write(&path, text).expect("written");
-        edit_manifest(dir.path(), |manifest| {
-            let files = manifest["files"].as_array_mut().expect("a list");
-            let entry = files.iter_mut().find(|file| file["path"] == "prediction.json").expect("it");
-            entry["sha256"] = stargrip_cam::manifest::sha256(text.as_bytes()).into();
-            entry["bytes"] = text.len().into();
-        });
-        run(dir.path(), &["verify", "out/star", "--json"])
-    };
-    let mut prediction: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(&path).expect("it")).expect("JSON");
-    prediction["payload_kg"] = 7.25.into();
-    let other = replace(&format!("{prediction:#}\n"));
-    assert_code(&other, 3);
-    let proof: serde_json::Value = serde_json::from_slice(&other.stdout).expect("JSON");
-    assert_eq!(proof["unproven"], serde_json::json!(["prediction.json"]));
-    // A file that holds no numbers at all is damaged.
-    assert_code(&replace("{"), 1);
-}
-
-/// The dialect of a profile is the same in all versions: a spec that names another one was not built from.
-#[test]
-fn a_profile_of_another_dialect_is_a_finding_whatever_version_wrote_it() {
-    let dir = workshop();
-    assert_code(&run(dir.path(), &["build", "star.toml", "-q"]), 0);
-    let path = dir.path().join("out/star/spec.toml");
-    let spec = fs::read_to_string(&path).expect("it") + "\n[machine]\nprofile = \"klipper\"\n";
-    fs::write(&path, &spec).expect("written");
-    edit_manifest(dir.path(), |manifest| {
-        manifest["tool"]["version"] = "9.8.7".into();
-        let files = manifest["files"].as_array_mut().expect("a list");
-        let entry = files.iter_mut().find(|file| file["path"] == "spec.toml").expect("it");
-        entry["sha256"] = stargrip_cam::manifest::sha256(spec.as_bytes()).into();
-        entry["bytes"] = spec.len().into();
-    });
-    let verified = run(dir.path(), &["verify", "out/star", "--read-back", "-q"]);
-    assert_code(&verified, 1);
-    assert!(stdout(&verified).contains("machine.toml:1: differs"), "{}", stdout(&verified));
 }
 
 #[test]
@@ -404,147 +276,4 @@ fn a_build_killed_at_any_moment_leaves_a_whole_output() {
     }
     assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
     assert_eq!(files(&target), first);
-}
-
-#[test]
-fn bad_input_is_refused_without_a_trace() {
-    let dir = tempfile::tempdir().expect("a directory");
-    let with = |from: &str, to: &str| support::PAPER.replace(from, to).into_bytes();
-    let mut cases: Vec<Vec<u8>> = vec![
-        Vec::new(),
-        b"\xff\xfe\x00junk".to_vec(),
-        vec![0; 4096],
-        b"[[[[[[[[".to_vec(),
-        "[".repeat(100_000).into_bytes(),
-        format!("a = {}", "[".repeat(50_000)).into_bytes(),
-        with("points = 5", "points = 1000000000"),
-        with("points = 5", "points = -5"),
-        with("points = 5", "points = 5.5"),
-        with("points = 5", "points = 99999999999999999999999999"),
-    ];
-    for value in [
-        "nan",
-        "inf",
-        "-50",
-        "1e308",
-        "\"nan mm\"",
-        "\"inf mm\"",
-        "\"-50 mm\"",
-        "\"1e300 mm\"",
-        "\"1e-300 mm\"",
-        "\"0 mm\"",
-        "\"5 parsec\"",
-        "[]",
-        "true",
-    ] {
-        cases.push(with("\"50 mm\"", value));
-        cases.push(with("\"30 mm\"", value));
-    }
-    for angle in ["\"0 deg\"", "\"180 deg\"", "\"-1 deg\"", "\"1e-9 deg\"", "\"400 deg\""] {
-        cases.push(with("\"30 deg\"", angle));
-    }
-    for (i, case) in cases.iter().enumerate() {
-        fs::write(dir.path().join("bad.toml"), case).expect("written");
-        let refused = run(dir.path(), &["build", "bad.toml"]);
-        assert_code(&refused, 1);
-        assert!(!dir.path().join("out").exists(), "case {i}");
-        assert!(!stderr(&refused).is_empty());
-    }
-}
-
-#[test]
-fn a_huge_spec_is_refused_without_reading_it() {
-    let dir = tempfile::tempdir().expect("a directory");
-    fs::File::create(dir.path().join("huge.toml")).and_then(|file| file.set_len(100 << 20)).expect("a hole");
-    let refused = run(dir.path(), &["build", "huge.toml"]);
-    assert_code(&refused, 1);
-    assert!(
-        stderr(&refused).contains("1 MiB") || stderr(&refused).contains("1048576"),
-        "{}",
-        stderr(&refused)
-    );
-    assert_code(&run(dir.path(), &["build", "."]), 1);
-}
-
-#[test]
-fn a_hostile_name_is_a_harmless_literal() {
-    let dir = tempfile::tempdir().expect("a directory");
-    let hostile = [
-        "../../etc/passwd",
-        "a) G0 Z-50 (",
-        "x; M3 S1000",
-        "<script>alert(1)</script>",
-        "%",
-        "é 星",
-        "\\\"&]]>",
-        "G0 Z-50",
-    ];
-    for (i, name) in hostile.iter().enumerate() {
-        let literal = toml_string(name);
-        let spec = support::PAPER.replace("\"paper star, 5 points\"", &literal);
-        assert!(spec.contains(&literal));
-        fs::write(dir.path().join("star.toml"), spec).expect("written");
-        let out = format!("o{i}");
-        assert_code(&run(dir.path(), &["build", "star.toml", "-o", &out]), 0);
-        assert_code(&run(dir.path(), &["verify", &out]), 0);
-        for (file, bytes) in files(&dir.path().join(&out)) {
-            let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
-            if ending == "stl" {
-                let head = &bytes[..80];
-                let inert = |byte: &u8| byte.is_ascii_alphanumeric() || b" .,-_+=:/".contains(byte);
-                assert!(head.iter().all(inert) && !head.starts_with(b"solid"), "{file}: {head:?}");
-                continue;
-            }
-            if ending == "pdf" {
-                // The title is the only place for a name; a bracket in it must not end its string.
-                let text = String::from_utf8_lossy(&bytes).into_owned();
-                let title = text.lines().find(|line| line.contains("/Title")).expect("a title");
-                assert!(title.matches(['(', ')', '<', '>', '\\']).count() == 2, "{file}: {title}");
-                assert!(!text.contains("/JavaScript") && !text.contains("/OpenAction"), "{file}");
-                continue;
-            }
-            let text = String::from_utf8(bytes).expect("UTF-8");
-            if ending == "dxf" {
-                assert!(
-                    text.is_ascii() && !text.contains("passwd") && !text.contains("script"),
-                    "{file}: {name}"
-                );
-            }
-            if ending == "json" {
-                let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-                assert_eq!(json["name"], **name, "{file}");
-            }
-            if ending == "gcode" {
-                assert!(text.is_ascii() && !text.contains(['(', ')', '%']), "{file}: {name}");
-                assert!(text.lines().all(|line| line.matches(';').count() <= 1), "{file}: {name}");
-                assert!(
-                    !text
-                        .lines()
-                        .any(|line| line.starts_with("M3")
-                            || line.contains("G0 Z-50") && !line.starts_with(';'))
-                );
-            }
-            if ending == "svg" {
-                assert!(!text.contains("<script"), "{file}");
-            }
-        }
-    }
-    for name in ["", "a\nG0 Z-50", "tab\there", "é\u{202e}x", &"x".repeat(81)] {
-        let spec = support::PAPER.replace("\"paper star, 5 points\"", &toml_string(name));
-        fs::write(dir.path().join("star.toml"), spec).expect("written");
-        assert_code(&run(dir.path(), &["build", "star.toml", "-o", "no"]), 1);
-    }
-}
-
-/// A TOML basic string.
-fn toml_string(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .map(|c| match c {
-            '"' | '\\' => format!("\\{c}"),
-            c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
-            c => c.to_string(),
-        })
-        .collect();
-    format!("\"{escaped}\"")
 }

@@ -2,7 +2,9 @@
 
 mod choice;
 mod drawn;
+mod held_sizes;
 mod measures;
+mod objects;
 mod optimize;
 mod outcome;
 mod page;
@@ -11,6 +13,7 @@ mod pull;
 mod ranges;
 mod seal_load;
 mod study;
+mod study_keys;
 #[path = "../support/mod.rs"]
 mod support;
 mod trade;

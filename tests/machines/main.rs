@@ -23,6 +23,7 @@ mod printers;
 mod processes;
 mod profile_lines;
 mod resume;
+mod resume_refusals;
 mod speed;
 mod thumbnails;
 mod told;

@@ -4,6 +4,7 @@
 //! 400 random specs with all kinds of files in `make test`; twenty thousand with
 //! `STARGRIP_AGREE=20000 cargo test --release --locked --test design agree::`. `STARGRIP_AGREE_FROM=n` begins at case `n`.
 
+mod machines;
 mod named;
 mod specs;
 

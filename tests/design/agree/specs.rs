@@ -1,12 +1,10 @@
-//! Random specs and profiles: every section and every kind of file, from usual values to far beyond them.
+//! Random specs: every section and every kind of file, from usual values to far beyond them.
 
+use crate::agree::machines::machine;
+use crate::support::dice::Dice;
+use stargrip_cam::artifact::{Kind, KindRequest};
 use std::f64::consts::PI;
 use std::fmt::Write;
-
-use stargrip_cam::artifact::{Kind, KindRequest};
-use stargrip_cam::spec;
-
-use crate::support::dice::Dice;
 
 /// One random case.
 pub(crate) struct Case {
@@ -31,24 +29,24 @@ pub(crate) fn case(number: u64) -> Case {
 
 impl Dice {
     /// From 0 up to 1.
-    fn share(&mut self) -> f64 {
+    pub(super) fn share(&mut self) -> f64 {
         u32::try_from(self.below(1 << 24)).map_or(0.0, |x| f64::from(x) / f64::from(1 << 24))
     }
 
-    fn chance(&mut self, share: f64) -> bool {
+    pub(super) fn chance(&mut self, share: f64) -> bool {
         self.share() < share
     }
 
-    fn uniform(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.share()
     }
 
     /// Every decade alike.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn decades(&mut self, low: f64, high: f64) -> f64 {
         (low.ln() + (high / low).ln() * self.share()).exp()
     }
 
-    fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
+    pub(super) fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.below(list.len())]
     }
 }
@@ -72,7 +70,7 @@ impl Section {
     }
 }
 
-fn mm(x: f64) -> String {
+pub(super) fn mm(x: f64) -> String {
     format!("\"{x} mm\"")
 }
 
@@ -108,7 +106,7 @@ fn star(dice: &mut Dice) -> (String, f64, f64) {
     (text, w, rho)
 }
 
-fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
+pub(super) fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     let name = dice.one_of(&["random", "a \\\"quoted\\\" <name> & ;(x)", "星 é", "x"]);
     let (sections, w, rho) = star(dice);
     let (of_star, of_processes) = processes(dice);
@@ -346,75 +344,6 @@ fn load(dice: &mut Dice, rho: f64) -> String {
     s.maybe(dice, 0.3, "mass", |dice| format!("\"{} kg\"", dice.decades(0.01, 20.0)));
     s.maybe(dice, 0.2, "largest_force", |dice| format!("\"{} N\"", dice.decades(1.0, 500.0)));
     s.text
-}
-
-/// A profile with its name, built in or changed, and whether it can chop.
-fn machine(dice: &mut Dice, is_changed: bool) -> ((&'static str, String), bool) {
-    let names: Vec<&'static str> =
-        spec::builtin_machines().filter(|name| *name != spec::PRESS_PROFILE).collect();
-    let name = dice.one_of(&names);
-    let mut text = spec::builtin_machine(name).expect("built in").to_owned();
-    if is_changed {
-        text = changed(dice, &text);
-    }
-    let built_in = spec::builtin_machine(name).expect("built in");
-    let built_in = spec::read_machine(&spec::Source::new(name, built_in)).expect("a profile");
-    ((name, text), matches!(built_in.motion.step_rate, spec::StepRate::AtLeast(_)))
-}
-
-/// The profile with other values.
-fn changed(dice: &mut Dice, text: &str) -> String {
-    let mut text = text.to_owned();
-    let mut replace = |old: &str, new: String| {
-        if text.contains(old) {
-            text = text.replacen(old, &new, 1);
-        }
-    };
-    if dice.chance(0.4) {
-        let mut side = || mm(dice.uniform(100.0, 1500.0).round());
-        replace("x = \"unknown\"\ny = \"unknown\"", format!("x = {}\ny = {}", side(), side()));
-    }
-    if dice.chance(0.5) {
-        replace("ramp = \"3 mm\"", format!("ramp = {}", mm(dice.decades(0.05, 20.0))));
-    }
-    if dice.chance(0.3) {
-        replace("contact = \"-0.3 mm\"", format!("contact = {}", mm(dice.uniform(-6.0, 0.0))));
-    }
-    if dice.chance(0.2) {
-        replace("travel = \"5 mm\"", format!("travel = {}", mm(dice.uniform(0.5, 25.0))));
-    }
-    if dice.chance(0.3) {
-        let [old, new] = if dice.chance(0.5) { ["false", "true"] } else { ["true", "false"] };
-        replace(&format!("arcs = {old}"), format!("arcs = {new}"));
-        if dice.chance(0.7) {
-            replace("\"G17\", \"G90\"", "\"G17\", \"G91.1\", \"G90\"".to_owned());
-        }
-    }
-    if dice.chance(0.3) {
-        replace("thumbnails = false", "thumbnails = true".to_owned());
-    }
-    if dice.chance(0.2) {
-        replace("x_steps_per_mm = 80 ", format!("x_steps_per_mm = {} ", 10 + dice.below(800)));
-        replace("y_steps_per_mm = 80", format!("y_steps_per_mm = {}", 10 + dice.below(800)));
-    }
-    if dice.chance(0.2) {
-        replace("line_length = 72", format!("line_length = {}", 72 + dice.below(180)));
-    }
-    if dice.chance(0.2) {
-        replace("step = \"1 ms\"", format!("step = \"{} ms\"", 1 + dice.below(100)));
-    }
-    for _ in 0..if dice.chance(0.4) { 1 + dice.below(4) } else { 0 } {
-        let [x, y] = [dice.uniform(0.0, 600.0), dice.uniform(0.0, 600.0)];
-        let [w, d] = [dice.uniform(1.0, 40.0), dice.uniform(1.0, 40.0)];
-        let _ = write!(
-            text,
-            "\n[[keep_out]]\nname = \"clamp\"\nx = \"{x} mm\"\ny = \"{y} mm\"\nwidth = \"{w} mm\"\ndepth = \"{d} mm\"\n"
-        );
-        if dice.chance(0.3) {
-            let _ = writeln!(text, "height = \"{} mm\"", dice.uniform(0.5, 8.0));
-        }
-    }
-    text
 }
 
 fn request_of(dice: &mut Dice) -> KindRequest {
