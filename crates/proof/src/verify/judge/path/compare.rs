@@ -110,8 +110,8 @@ fn by_halves(
 }
 
 fn is_closed(path: &Path) -> bool {
-    let ends_meet = path.start().zip(path.end()).is_some_and(|(a, b)| a.distance(b) <= JOIN);
-    !path.segments.is_empty() && (path.closed || ends_meet)
+    let ends = path.start().zip(path.end());
+    !path.segments.is_empty() && (path.closed || ends.is_some_and(|(a, b)| a.distance(b) <= JOIN))
 }
 
 #[cfg(test)]
