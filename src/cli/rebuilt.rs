@@ -14,12 +14,12 @@ pub(super) struct Snapshot {
     settings: Vec<Setting>,
     machine: String,
     verdict: Option<&'static str>,
-    figures: Vec<Figure>,
+    figures: Vec<ComparedFigure>,
     notes: Vec<String>,
 }
 
 /// A number in the line of changes: its name, the value, and the unit.
-type Figure = (&'static str, String, &'static str);
+type ComparedFigure = (&'static str, String, &'static str);
 
 /// Largest number of changed values in the line.
 const NAMED: usize = 4;
@@ -93,7 +93,7 @@ fn changed(setting: &Setting, previous: &[Setting]) -> Option<String> {
 }
 
 /// The results that matter while values are chosen.
-fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
+fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<ComparedFigure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
     let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
     let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);

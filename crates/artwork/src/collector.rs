@@ -23,11 +23,11 @@ const MOST_LISTED: usize = 100;
 
 /// Reading ends here, since a limit is exceeded; the fault is recorded.
 #[derive(Debug)]
-pub(crate) struct Stop;
+pub(crate) struct ReadingStop;
 
 /// A chain of pieces in the coordinates of the file.
 #[derive(Debug, Default)]
-pub(crate) struct Chain {
+pub(crate) struct CurveChain {
     /// The pieces, each from the end of the one before.
     pub(crate) pieces: Vec<Piece>,
     /// Whether the file closes it.
@@ -36,7 +36,7 @@ pub(crate) struct Chain {
     pub(crate) start: Point,
 }
 
-impl Chain {
+impl CurveChain {
     /// A single piece.
     pub(crate) fn single(piece: Piece, start: Point) -> Self {
         Self { pieces: vec![piece], closed: false, start }
@@ -94,26 +94,26 @@ impl<'o> Collector<'o> {
     }
 
     /// Counts a node or an entity.
-    pub(crate) fn visit(&mut self) -> Result<(), Stop> {
+    pub(crate) fn visit(&mut self) -> Result<(), ReadingStop> {
         self.visits += 1;
         let limit = self.options.limits.visits;
         self.bounded(self.visits, limit, "elements, copies included")
     }
 
     /// Counts bytes that are read again for each reference, or copied into names.
-    pub(crate) fn text(&mut self, bytes: usize) -> Result<(), Stop> {
+    pub(crate) fn text(&mut self, bytes: usize) -> Result<(), ReadingStop> {
         self.text = self.text.saturating_add(bytes);
         let limit = self.options.limits.text;
         self.bounded(self.text, limit, "bytes of text, copies included")
     }
 
-    fn bounded(&mut self, count: usize, limit: usize, items: &str) -> Result<(), Stop> {
+    fn bounded(&mut self, count: usize, limit: usize, items: &str) -> Result<(), ReadingStop> {
         if count <= limit {
             return Ok(());
         }
         let text = format!("The drawing has more than {limit} {items}.");
         self.refuse(Place::default(), text, "Remove what is not needed, or split the drawing.");
-        Err(Stop)
+        Err(ReadingStop)
     }
 
     /// Records a fault for which the file is not read.
@@ -197,7 +197,12 @@ impl<'o> Collector<'o> {
     }
 
     /// Adds a chain of pieces of the file, mapped to mm.
-    pub(crate) fn chain(&mut self, mut place: Place, map: &Affine, chain: &Chain) -> Result<(), Stop> {
+    pub(crate) fn chain(
+        &mut self,
+        mut place: Place,
+        map: &Affine,
+        chain: &CurveChain,
+    ) -> Result<(), ReadingStop> {
         let mut segments = Vec::with_capacity(chain.pieces.len());
         let room = self.options.limits.segments.saturating_sub(self.segments);
         for piece in &chain.pieces {

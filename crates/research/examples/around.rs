@@ -4,7 +4,7 @@
 //! `cargo run --release -p research --example around`
 
 use inflatable::shell::cases::{Fineness, FlatStar, Objects, ShellFault, Value, Watch, star};
-use research::around::{Touch, inflate_around};
+use research::around::{ArmTouch, inflate_around};
 use research::stars::draw::Set;
 
 /// Meshes of some 1,500, 3,300 and 11,000 unknowns.
@@ -32,8 +32,8 @@ fn row(case: &FlatStar, radius: f64) -> Result<(), ShellFault> {
     if opened.final_radius.value >= object {
         return Ok(());
     }
-    let slides = inflate_around(case, object, Touch::Slides, FINENESS, &watch)?;
-    let sticks = inflate_around(case, object, Touch::Sticks, FINENESS, &watch)?;
+    let slides = inflate_around(case, object, ArmTouch::Slides, FINENESS, &watch)?;
+    let sticks = inflate_around(case, object, ArmTouch::Sticks, FINENESS, &watch)?;
     let cell = |force: Value| format!("{:.1} N ({:+.1})", force.meshes[2], force.meshes[1] - force.meshes[2]);
     let [opened, slides, stuck] = [opened.forces[0].1, slides.force, sticks.force].map(cell);
     println!(

@@ -15,7 +15,7 @@ use inflatable::shell::cases::star;
 
 /// What a point of the sheet does where it has touched the object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Touch {
+pub enum ArmTouch {
     /// It slides without friction.
     Slides,
     /// It stays as long as it touches: friction without a limit.
@@ -38,7 +38,7 @@ pub struct StarAround {
 pub fn inflate_around(
     case: &FlatStar,
     radius: f64,
-    touch: Touch,
+    touch: ArmTouch,
     fineness: Fineness,
     watch: &Watch<'_>,
 ) -> Result<StarAround, ShellFault> {
@@ -65,7 +65,7 @@ fn inflated_mesh(
     case: &FlatStar,
     mesh: &Mesh,
     radius: f64,
-    touch: Touch,
+    touch: ArmTouch,
     watch: &Watch<'_>,
 ) -> Result<[f64; 2], ShellFault> {
     let (modelled, continuation) = (case.modelled()?, case.tube.continuation());
@@ -74,7 +74,7 @@ fn inflated_mesh(
     obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };
     let mut solver = scaled_solver(&case.tube, mesh, modelled.supports(mesh), watch)?;
     let mut contact = Contact::new(&solver.assembly, obstacles);
-    if touch == Touch::Sticks {
+    if touch == ArmTouch::Sticks {
         contact.stick(post, continuation.last);
     }
     solver.contact = Some(contact);

@@ -17,17 +17,17 @@ use research::stars::{finest, shipped};
 
 /// Makes the tables of computed shells that stargrip-cam ships.
 #[derive(Parser)]
-struct Cli {
+struct ResearchArgs {
     #[command(subcommand)]
-    table: Table,
+    table: TableCommand,
 }
 
 #[derive(Subcommand)]
-enum Table {
+enum TableCommand {
     /// V-actuators at rising pressures: what arms add to a hinge.
     Ladders {
         #[command(flatten)]
-        work: Work,
+        work: WorkArgs,
         /// Join the table of thin fabric.
         #[arg(long, requires = "join")]
         thin: bool,
@@ -35,7 +35,7 @@ enum Table {
     /// Stars of the drawn sets.
     Stars {
         #[command(flatten)]
-        work: Work,
+        work: WorkArgs,
         /// Which set: fit, range, test, paper, wide or all.
         #[arg(long, default_value = "all", value_parser = sets)]
         set: Sets,
@@ -54,7 +54,7 @@ enum Table {
 }
 
 #[derive(clap::Args)]
-struct Work {
+struct WorkArgs {
     /// Directory with a file for each result.
     dir: PathBuf,
     /// Compute nothing: print the table of the existing files; stars without a file are printed as shipped.
@@ -62,7 +62,7 @@ struct Work {
     join: bool,
     /// Compute only part k of N, for several processes at once.
     #[arg(long, value_name = "k/N", value_parser = part, default_value = "1/1", conflicts_with = "join")]
-    part: Part,
+    part: PartArgs,
     /// Edges across the hinge of the coarsest mesh, in place of those of the shipped tables.
     #[arg(long)]
     cells: Option<f64>,
@@ -88,21 +88,21 @@ fn sets(text: &str) -> Result<Sets, String> {
 }
 
 #[derive(Clone, Copy)]
-struct Part {
+struct PartArgs {
     own: usize,
     of: usize,
 }
 
-fn part(text: &str) -> Result<Part, String> {
+fn part(text: &str) -> Result<PartArgs, String> {
     let numbers = text.split_once('/');
-    let part =
-        numbers.and_then(|(number, count)| Some(Part { own: number.parse().ok()?, of: count.parse().ok()? }));
+    let part = numbers
+        .and_then(|(number, count)| Some(PartArgs { own: number.parse().ok()?, of: count.parse().ok()? }));
     part.filter(|part| (1..=part.of).contains(&part.own))
         .ok_or_else(|| format!("`{text}` is not k/N with k from 1 to N"))
 }
 
 fn main() -> ExitCode {
-    match run(Cli::parse().table) {
+    match run(ResearchArgs::parse().table) {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             eprintln!("error: {fault}");
@@ -111,33 +111,35 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(table: Table) -> Result<(), Box<dyn Error>> {
+fn run(table: TableCommand) -> Result<(), Box<dyn Error>> {
     match table {
-        Table::Ladders { work, thin } if work.join => {
+        TableCommand::Ladders { work, thin } if work.join => {
             let read_ladder = |ladder: &Ladder| LadderTable::read(&text_of(&ladder_file(&work.dir, ladder))?);
             let tables: Vec<LadderTable> = ladders().iter().filter_map(read_ladder).collect();
             print!("{}", ladders::join(&tables, thin)?);
         }
-        Table::Ladders { work, .. } => all_ladders(&work)?,
-        Table::Stars { work, set, .. } if work.join => {
+        TableCommand::Ladders { work, .. } => all_ladders(&work)?,
+        TableCommand::Stars { work, set, .. } if work.join => {
             let shipped_stars = shipped::shipped();
             let of_set = in_turn().into_iter().filter(|star| set.0.contains(&star.set));
             let joined: Vec<ComputedStar> =
                 of_set.filter_map(|star| rest_and_forces(&work.dir, &star, &shipped_stars)).collect();
             print!("{}", shipped::join(&joined));
         }
-        Table::Stars { work, set, forces } => stars(&work, &set.0, forces)?,
-        Table::Residuals { lengths: true } => println!("{:.2?}", residuals::likeliest(&shipped::shipped())),
-        Table::Residuals { .. } => print!("{}", residuals::fitted(&shipped::shipped())?.table()),
-        Table::Finest => print!("{}", finest::table(&shipped::shipped())),
+        TableCommand::Stars { work, set, forces } => stars(&work, &set.0, forces)?,
+        TableCommand::Residuals { lengths: true } => {
+            println!("{:.2?}", residuals::likeliest(&shipped::shipped()));
+        }
+        TableCommand::Residuals { .. } => print!("{}", residuals::fitted(&shipped::shipped())?.table()),
+        TableCommand::Finest => print!("{}", finest::table(&shipped::shipped())),
     }
     Ok(())
 }
 
-impl Work {
+impl WorkArgs {
     /// The items of `list` that belong to this part.
     fn of_part<T>(&self, list: Vec<T>) -> impl Iterator<Item = T> {
-        let Part { own: number, of: count } = self.part;
+        let PartArgs { own: number, of: count } = self.part;
         list.into_iter().enumerate().filter(move |(place, _)| place % count + 1 == number).map(|(_, one)| one)
     }
 
@@ -146,7 +148,7 @@ impl Work {
     }
 }
 
-fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
+fn all_ladders(work: &WorkArgs) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&work.dir)?;
     for ladder in work.of_part(ladders().into_iter().skip(work.from as usize - 1).collect()) {
         let path = ladder_file(&work.dir, &ladder);
@@ -158,7 +160,7 @@ fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> {
+fn stars(work: &WorkArgs, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&work.dir)?;
     let is_meant = |star: &DrawnStar| sets.contains(&star.set) && star.number >= work.from;
     let stars_drawn = in_turn().into_iter().filter(is_meant).collect();

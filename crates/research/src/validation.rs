@@ -3,7 +3,7 @@
 
 use crate::predicted::{SETTLED, predicted};
 use crate::residuals::fitted;
-use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
+use crate::stars::computed::{ComputedStar, MeshedNumber, ShellNumbers};
 use crate::stars::draw::Set;
 use crate::stars::shipped::shipped;
 use inflatable::mechanics::star::residuals::Ratios;
@@ -110,7 +110,7 @@ fn compared(
     let settled = open < SETTLED;
     let spring =
         pair(1e3 * stiffness.value, 1e3 * stiffness.error, outcome.rest.stiffness, outcome.ranges.stiffness);
-    let opened = |(part, secant): &(f64, Number)| {
+    let opened = |(part, secant): &(f64, MeshedNumber)| {
         let opening = part * moves.width;
         let shell = secant.value * 1e3 * stiffness.value * opening;
         let open = (secant.error / secant.value).abs() + open;

@@ -4,15 +4,15 @@ use std::f64::consts::TAU;
 
 use geom::{Point, Vec2};
 
-use super::geometry::{Geometry, Shape, flat};
-use super::group::{Flaw, Record};
+use super::geometry::{EntityShape, Geometry, flat};
+use super::group::{EntityRecord, Flaw};
 use super::polyline;
-use crate::collector::Chain;
+use crate::collector::CurveChain;
 use crate::piece::Piece;
 use crate::spline::{Nurbs, interpolated};
 
 /// Reads an entity; `parts` are the vertices that follow a POLYLINE.
-pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
+pub(super) fn read(record: &EntityRecord<'_, '_>, parts: &[EntityRecord<'_, '_>]) -> Result<Geometry, Flaw> {
     match record.kind {
         // In world coordinates, whatever their extrusion.
         "LINE" => line(record),
@@ -28,8 +28,8 @@ pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<
 
 /// Reads an entity that has a plane of its own.
 fn in_plane<'a, 'g>(
-    record: &Record<'a, 'g>,
-    reader: impl Fn(&Record<'a, 'g>) -> Result<Geometry, Flaw>,
+    record: &EntityRecord<'a, 'g>,
+    reader: impl Fn(&EntityRecord<'a, 'g>) -> Result<Geometry, Flaw>,
 ) -> Result<Geometry, Flaw> {
     let is_mirrored = mirrored(record)?;
     let geometry = reader(record)?;
@@ -39,7 +39,7 @@ fn in_plane<'a, 'g>(
 }
 
 /// Whether the extrusion is along -z; refuses one along neither z nor -z.
-pub(super) fn mirrored(record: &Record<'_, '_>) -> Result<bool, Flaw> {
+pub(super) fn mirrored(record: &EntityRecord<'_, '_>) -> Result<bool, Flaw> {
     let [x, y] = [record.number_or(210, 0.0)?, record.number_or(220, 0.0)?];
     let z = record.number_or(230, 1.0)?;
     // AutoCAD takes an axis as the z axis below 1/64; here the plane must be that of the drawing to 1e-9.
@@ -51,21 +51,21 @@ pub(super) fn mirrored(record: &Record<'_, '_>) -> Result<bool, Flaw> {
     }
 }
 
-fn place(record: &Record<'_, '_>, code: i32) -> Result<Point, Flaw> {
+fn place(record: &EntityRecord<'_, '_>, code: i32) -> Result<Point, Flaw> {
     Ok(Point::new(record.number(code)?, record.number(code + 10)?))
 }
 
-fn line(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
+fn line(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
     let (a, b) = (place(record, 10)?, place(record, 11)?);
     let heights = [record.number_or(30, 0.0)?, record.number_or(31, 0.0)?];
-    Ok(flat(Shape::Chain(Chain::single(Piece::Line(a, b), a)), &heights))
+    Ok(flat(EntityShape::Chain(CurveChain::single(Piece::Line(a, b), a)), &heights))
 }
 
-fn point(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
-    Ok(flat(Shape::Point(place(record, 10)?), &record.numbers(30)?))
+fn point(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
+    Ok(flat(EntityShape::Point(place(record, 10)?), &record.numbers(30)?))
 }
 
-fn circle(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
+fn circle(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
     let center = place(record, 10)?;
     let radius = record.number(40)?;
     if radius < 0.0 {
@@ -81,11 +81,11 @@ fn circle(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
         (0.0, TAU, true)
     };
     let piece = Piece::arc(center, radius, start, sweep);
-    let chain = Chain { closed, ..Chain::single(piece, center) };
-    Ok(flat(Shape::Chain(chain), &record.numbers(30)?))
+    let chain = CurveChain { closed, ..CurveChain::single(piece, center) };
+    Ok(flat(EntityShape::Chain(chain), &record.numbers(30)?))
 }
 
-fn ellipse(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
+fn ellipse(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
     let center = place(record, 10)?;
     let major = Vec2::new(record.number(11)?, record.number(21)?);
     let ratio = record.number(40)?;
@@ -104,10 +104,10 @@ fn ellipse(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let mut heights = record.numbers(30)?;
     let rise = record.number_or(31, 0.0)?;
     heights.extend(heights.first().copied().map(|z| z + rise));
-    Ok(flat(Shape::Chain(Chain { closed, ..Chain::single(piece, center) }), &heights))
+    Ok(flat(EntityShape::Chain(CurveChain { closed, ..CurveChain::single(piece, center) }), &heights))
 }
 
-fn spline(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
+fn spline(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
     let control = points(record, [10, 20])?;
     let flags = record.flags(70)?;
     let mut heights = record.numbers(30)?;
@@ -128,28 +128,28 @@ fn spline(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     if let Some(text) = nurbs.finding() {
         return Err(record.flaw(text));
     }
-    Ok(flat(Shape::Chain(Chain { pieces: nurbs.pieces(), closed: false, start }), &heights))
+    Ok(flat(EntityShape::Chain(CurveChain { pieces: nurbs.pieces(), closed: false, start }), &heights))
 }
 
 /// A spline that has fit points alone.
-fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Geometry, Flaw> {
+fn fitted(record: &EntityRecord<'_, '_>, closed: bool, heights: &[f64]) -> Result<Geometry, Flaw> {
     let fit = points(record, [11, 21])?;
     if fit.len() < 2 {
         return Err(record.flaw("A SPLINE has neither control points nor two fit points.".into()));
     }
     let pieces = interpolated(&fit, [tangent(record, 12)?, tangent(record, 13)?], closed);
     let remark = Some("It has fit points only; they are joined by a cubic spline, as CAD programs do.");
-    Ok(Geometry { remark, ..flat(Shape::Chain(Chain { pieces, closed, start: fit[0] }), heights) })
+    Ok(Geometry { remark, ..flat(EntityShape::Chain(CurveChain { pieces, closed, start: fit[0] }), heights) })
 }
 
 /// The direction at an end of a spline, whose x has the code `code`; `None` if there is none.
-fn tangent(record: &Record<'_, '_>, code: i32) -> Result<Option<Vec2>, Flaw> {
+fn tangent(record: &EntityRecord<'_, '_>, code: i32) -> Result<Option<Vec2>, Flaw> {
     let coordinates = record.optional(code)?.zip(record.optional(code + 10)?);
     Ok(coordinates.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
 }
 
 /// The points of two codes.
-fn points(record: &Record<'_, '_>, codes: [i32; 2]) -> Result<Vec<Point>, Flaw> {
+fn points(record: &EntityRecord<'_, '_>, codes: [i32; 2]) -> Result<Vec<Point>, Flaw> {
     let [x, y] = [record.numbers(codes[0])?, record.numbers(codes[1])?];
     if x.len() != y.len() {
         return Err(record.flaw(format!("{} has {} x and {} y coordinates.", record.kind, x.len(), y.len())));

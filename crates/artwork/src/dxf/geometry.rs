@@ -2,12 +2,12 @@
 
 use geom::Point;
 
-use crate::collector::Chain;
+use crate::collector::CurveChain;
 
 /// The geometry of an entity.
 #[derive(Debug)]
 pub(super) struct Geometry {
-    pub(super) shape: Shape,
+    pub(super) shape: EntityShape,
     /// Smallest and largest z.
     pub(super) heights: [f64; 2],
     /// Whether x is mirrored, by an extrusion along -z.
@@ -18,13 +18,13 @@ pub(super) struct Geometry {
 
 /// A point or a chain.
 #[derive(Debug)]
-pub(super) enum Shape {
+pub(super) enum EntityShape {
     Point(Point),
-    Chain(Chain),
+    Chain(CurveChain),
 }
 
 /// Geometry in the drawing's plane.
-pub(super) fn flat(shape: Shape, heights: &[f64]) -> Geometry {
+pub(super) fn flat(shape: EntityShape, heights: &[f64]) -> Geometry {
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let heights = if low <= high { [low, high] } else { [0.0, 0.0] };

@@ -1,17 +1,17 @@
 //! Group codes: pairs of lines, and the records they make.
 
-use crate::collector::Stop;
+use crate::collector::ReadingStop;
 use crate::{Fault, Place};
 
 /// A code and its value.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Group<'a> {
+pub(super) struct CodeGroup<'a> {
     pub(super) code: i32,
     pub(super) value: &'a str,
 }
 
 /// All groups up to the end of the file; group `i` is on the lines `2 i + 1` and `2 i + 2`.
-pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Vec<Fault>> {
+pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<CodeGroup<'_>>, Vec<Fault>> {
     // A group is two lines: a code and a value. Blanks around values do not count, but in texts (code 1). Reading ends
     // at the end mark; a file without one may be cut off and is refused.
     let mut lines = text.lines();
@@ -41,7 +41,7 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
             return Err(Fault::single(Place::line(line), text, "Split the drawing."));
         }
         let value = if code == 1 { value } else { value.trim() };
-        groups.push(Group { code, value });
+        groups.push(CodeGroup { code, value });
         if code == 0 && value == "EOF" {
             return Ok(groups);
         }
@@ -55,11 +55,11 @@ pub(super) fn groups(text: &str, max_groups: usize) -> Result<Vec<Group<'_>>, Ve
 
 /// An entity or a table entry: a type (code 0) and the groups up to the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Record<'a, 'g> {
+pub(super) struct EntityRecord<'a, 'g> {
     /// Type of the record, such as LINE.
     pub(super) kind: &'a str,
     /// Groups of the record without the type and without the data of other programs (codes from 1000).
-    pub(super) groups: &'g [Group<'a>],
+    pub(super) groups: &'g [CodeGroup<'a>],
     /// The line of its type.
     pub(super) line: usize,
 }
@@ -75,13 +75,13 @@ pub(super) enum Flaw {
     Limit,
 }
 
-impl From<Stop> for Flaw {
-    fn from(_: Stop) -> Self {
+impl From<ReadingStop> for Flaw {
+    fn from(_: ReadingStop) -> Self {
         Self::Limit
     }
 }
 
-impl<'a> Record<'a, '_> {
+impl<'a> EntityRecord<'a, '_> {
     /// The first value of a code.
     pub(super) fn text(&self, code: i32) -> Option<&'a str> {
         self.groups.iter().find(|group| group.code == code).map(|group| group.value)
@@ -94,7 +94,7 @@ impl<'a> Record<'a, '_> {
     }
 
     /// The number of group `i`.
-    pub(super) fn parse(&self, i: usize, group: &Group<'_>) -> Result<f64, Flaw> {
+    pub(super) fn parse(&self, i: usize, group: &CodeGroup<'_>) -> Result<f64, Flaw> {
         group.value.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
             let value: String = group.value.chars().take(20).collect();
             let text = format!("Code {} of {} is \"{value}\", not a finite number.", group.code, self.kind);
@@ -137,13 +137,17 @@ impl<'a> Record<'a, '_> {
 }
 
 /// The records of a section.
-pub(super) fn records<'a, 'g>(groups: &'g [Group<'a>], first_group: usize) -> Vec<Record<'a, 'g>> {
+pub(super) fn records<'a, 'g>(groups: &'g [CodeGroup<'a>], first_group: usize) -> Vec<EntityRecord<'a, 'g>> {
     let mut starts: Vec<usize> = (0..groups.len()).filter(|&i| groups[i].code == 0).collect();
     starts.push(groups.len());
     let record = |pair: &[usize]| {
         let body = &groups[pair[0] + 1..pair[1]];
         let end = body.iter().position(|group| group.code >= 1000).unwrap_or(body.len());
-        Record { kind: groups[pair[0]].value, groups: &body[..end], line: 2 * (first_group + pair[0]) + 1 }
+        EntityRecord {
+            kind: groups[pair[0]].value,
+            groups: &body[..end],
+            line: 2 * (first_group + pair[0]) + 1,
+        }
     };
     starts.windows(2).map(record).collect()
 }

@@ -45,7 +45,7 @@ pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> 
     if let Some(unit_mm) = unit(&sections, &mut collector) {
         collector.drawing.unit_mm = unit_mm;
         // A limit that is exceeded is among the faults.
-        let _ = walk::Walk::new(&sections, &mut collector).run(&Affine::scale(unit_mm, unit_mm));
+        let _ = walk::DxfWalk::new(&sections, &mut collector).run(&Affine::scale(unit_mm, unit_mm));
     }
     collector.finish()
 }

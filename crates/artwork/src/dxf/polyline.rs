@@ -2,9 +2,9 @@
 
 use geom::Point;
 
-use super::geometry::{Geometry, Shape, flat};
-use super::group::{Flaw, Record};
-use crate::collector::{Chain, bulged};
+use super::geometry::{EntityShape, Geometry, flat};
+use super::group::{EntityRecord, Flaw};
+use crate::collector::{CurveChain, bulged};
 use crate::piece::Piece;
 
 /// A vertex and the bulge of the piece behind it.
@@ -15,7 +15,7 @@ struct Vertex {
 }
 
 /// LWPOLYLINE: all vertices in one entity.
-pub(super) fn light(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
+pub(super) fn light(record: &EntityRecord<'_, '_>) -> Result<Geometry, Flaw> {
     let mut vertices: Vec<Vertex> = Vec::new();
     let mut missing = false;
     for (i, group) in record.groups.iter().enumerate() {
@@ -37,7 +37,7 @@ pub(super) fn light(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
 }
 
 /// POLYLINE: the vertices are entities of their own.
-pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
+pub(super) fn heavy(record: &EntityRecord<'_, '_>, parts: &[EntityRecord<'_, '_>]) -> Result<Geometry, Flaw> {
     const FRAME: i64 = 16;
     let flags = record.flags(70)?;
     if flags & (16 | 64) != 0 {
@@ -57,12 +57,12 @@ pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result
 }
 
 /// Whether the vertices are in world coordinates: a polyline in space.
-pub(super) fn in_space(record: &Record<'_, '_>) -> Result<bool, Flaw> {
+pub(super) fn in_space(record: &EntityRecord<'_, '_>) -> Result<bool, Flaw> {
     Ok(record.kind == "POLYLINE" && record.flags(70)? & 8 != 0)
 }
 
 fn chain(
-    record: &Record<'_, '_>,
+    record: &EntityRecord<'_, '_>,
     vertices: &[Vertex],
     closed: bool,
     heights: &[f64],
@@ -75,5 +75,5 @@ fn chain(
     if let Some(last) = vertices.last().filter(|_| closed && vertices.len() > 1) {
         pieces.push(bulged(last.point, first.point, last.bulge));
     }
-    Ok(flat(Shape::Chain(Chain { pieces, closed, start: first.point }), heights))
+    Ok(flat(EntityShape::Chain(CurveChain { pieces, closed, start: first.point }), heights))
 }

@@ -2,20 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use super::group::{Group, Record, records};
+use super::group::{CodeGroup, EntityRecord, records};
 
 /// A block: the entities that an INSERT repeats.
 #[derive(Debug)]
 pub(super) struct Block<'a, 'g> {
     /// The BLOCK record, which has the base point and the flags.
-    pub(super) head: Record<'a, 'g>,
+    pub(super) head: EntityRecord<'a, 'g>,
     /// Entities of the block.
-    pub(super) entities: Vec<Record<'a, 'g>>,
+    pub(super) entities: Vec<EntityRecord<'a, 'g>>,
 }
 
 /// Visibility of a layer.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Layer {
+pub(super) struct TableLayer {
     /// Switched off: the layer's colour is negative.
     pub(super) off: bool,
     /// Frozen: inserts on it show nothing either.
@@ -27,15 +27,15 @@ pub(super) struct Layer {
 pub(super) struct Sections<'a, 'g> {
     /// $INSUNITS, as written.
     pub(super) units: Option<&'a str>,
-    pub(super) layers: BTreeMap<String, Layer>,
+    pub(super) layers: BTreeMap<String, TableLayer>,
     pub(super) blocks: BTreeMap<String, Block<'a, 'g>>,
-    pub(super) entities: Vec<Record<'a, 'g>>,
+    pub(super) entities: Vec<EntityRecord<'a, 'g>>,
     /// Whether there is a section ENTITIES.
     pub(super) has_entities: bool,
 }
 
 /// Finds the sections of a file.
-pub(super) fn sections<'a, 'g>(groups: &'g [Group<'a>]) -> Sections<'a, 'g> {
+pub(super) fn sections<'a, 'g>(groups: &'g [CodeGroup<'a>]) -> Sections<'a, 'g> {
     let mut sections = Sections::default();
     let mut index = 0;
     while index + 1 < groups.len() {
@@ -65,23 +65,23 @@ pub(super) fn sections<'a, 'g>(groups: &'g [Group<'a>]) -> Sections<'a, 'g> {
 }
 
 /// The value of a header variable.
-fn header<'a>(groups: &[Group<'a>], name: &str) -> Option<&'a str> {
+fn header<'a>(groups: &[CodeGroup<'a>], name: &str) -> Option<&'a str> {
     let place = groups.iter().position(|group| group.code == 9 && group.value == name)?;
     groups.get(place + 1).map(|group| group.value)
 }
 
-fn layers(records: &[Record<'_, '_>]) -> BTreeMap<String, Layer> {
-    let layer = |record: &&Record<'_, '_>| record.kind == "LAYER";
-    let read = |record: &Record<'_, '_>| {
+fn layers(records: &[EntityRecord<'_, '_>]) -> BTreeMap<String, TableLayer> {
+    let layer = |record: &&EntityRecord<'_, '_>| record.kind == "LAYER";
+    let read = |record: &EntityRecord<'_, '_>| {
         let [colour, flags] =
             [62, 70].map(|code| record.text(code).and_then(|value| value.parse::<i64>().ok()).unwrap_or(0));
         let name = record.text(2).unwrap_or_default().to_lowercase();
-        (name, Layer { off: colour < 0, frozen: flags & 1 != 0 })
+        (name, TableLayer { off: colour < 0, frozen: flags & 1 != 0 })
     };
     records.iter().filter(layer).map(read).collect()
 }
 
-fn blocks<'a, 'g>(records: Vec<Record<'a, 'g>>) -> BTreeMap<String, Block<'a, 'g>> {
+fn blocks<'a, 'g>(records: Vec<EntityRecord<'a, 'g>>) -> BTreeMap<String, Block<'a, 'g>> {
     let mut blocks = BTreeMap::new();
     let mut open: Option<Block<'a, 'g>> = None;
     for record in records {

@@ -3,11 +3,11 @@
 use geom::Point;
 
 use super::figures::{mirrored, read};
-use super::geometry::{Geometry, Shape};
-use super::group::{Flaw, Record};
-use super::tables::{Block, Layer, Sections};
+use super::geometry::{EntityShape, Geometry};
+use super::group::{EntityRecord, Flaw};
+use super::tables::{Block, Sections, TableLayer};
 use crate::affine::Affine;
-use crate::collector::{Collector, Stop};
+use crate::collector::{Collector, ReadingStop};
 use crate::{Place, Weight};
 
 /// Entities that show nothing of their own.
@@ -35,7 +35,7 @@ const ANNOTATION: &str = "Texts, dimensions, hatches and construction lines are 
 
 /// The context of an entity: the drawing, or an inserted block.
 #[derive(Clone)]
-struct Context {
+struct EntityContext {
     map: Affine,
     /// Ids of the inserts around, each with " > " behind it.
     path: String,
@@ -48,24 +48,33 @@ struct Context {
 }
 
 /// The state of the walk.
-pub(super) struct Walk<'s, 'a, 'g, 'c, 'o> {
+pub(super) struct DxfWalk<'s, 'a, 'g, 'c, 'o> {
     sections: &'s Sections<'a, 'g>,
     out: &'c mut Collector<'o>,
 }
 
-impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
+impl<'s, 'a, 'g, 'c, 'o> DxfWalk<'s, 'a, 'g, 'c, 'o> {
     pub(super) fn new(sections: &'s Sections<'a, 'g>, collector: &'c mut Collector<'o>) -> Self {
         Self { sections, out: collector }
     }
 
     /// Reads all entities of the drawing; `map` leads to mm.
-    pub(super) fn run(&mut self, map: &Affine) -> Result<(), Stop> {
-        let context =
-            Context { map: *map, path: String::new(), layers: Vec::new(), inherited: 0, blocks: Vec::new() };
+    pub(super) fn run(&mut self, map: &Affine) -> Result<(), ReadingStop> {
+        let context = EntityContext {
+            map: *map,
+            path: String::new(),
+            layers: Vec::new(),
+            inherited: 0,
+            blocks: Vec::new(),
+        };
         self.entities(&self.sections.entities, &context)
     }
 
-    fn entities(&mut self, entities: &[Record<'a, 'g>], context: &Context) -> Result<(), Stop> {
+    fn entities(
+        &mut self,
+        entities: &[EntityRecord<'a, 'g>],
+        context: &EntityContext,
+    ) -> Result<(), ReadingStop> {
         // A POLYLINE takes the VERTEX records behind it along. Hidden entities are passed over in silence, annotations
         // with one note for all. A flaw becomes a fault or a note with its line, and reading goes on; only a limit
         // ends it.
@@ -101,7 +110,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
                     "Export the drawing again, or remove the entity.",
                 ),
                 Err(Flaw::Lost(text)) => self.out.note(Weight::Lost, place, text),
-                Err(Flaw::Limit) => return Err(Stop),
+                Err(Flaw::Limit) => return Err(ReadingStop),
             }
         }
         Ok(())
@@ -110,10 +119,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     /// Id, layers, line and a first point of an entity.
     fn place(
         &mut self,
-        record: &Record<'_, '_>,
-        vertices: &[Record<'_, '_>],
-        context: &Context,
-    ) -> Result<Place, Stop> {
+        record: &EntityRecord<'_, '_>,
+        vertices: &[EntityRecord<'_, '_>],
+        context: &EntityContext,
+    ) -> Result<Place, ReadingStop> {
         let handle = match record.text(5) {
             Some(handle) => format!("{} {handle}", record.kind),
             None => format!("{} at line {}", record.kind, record.line),
@@ -143,12 +152,12 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         Ok(Place { element: Some(id), layers, own_names, colour: None, line: Some(record.line), at: point })
     }
 
-    fn layer(&self, name: &str) -> Layer {
+    fn layer(&self, name: &str) -> TableLayer {
         self.sections.layers.get(&name.to_lowercase()).copied().unwrap_or_default()
     }
 
     /// Notes an entity that the drawing does not show: on paper, invisible, or on a layer that is off or frozen.
-    fn is_hidden(&mut self, record: &Record<'_, '_>, place: &Place) -> bool {
+    fn is_hidden(&mut self, record: &EntityRecord<'_, '_>, place: &Place) -> bool {
         let layer = place.own_names.checked_sub(1).and_then(|last| place.layers.get(last));
         let name = layer.map_or("0", String::as_str);
         let layer = self.layer(name);
@@ -172,10 +181,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
     fn entity(
         &mut self,
-        record: &Record<'a, 'g>,
-        parts: &[Record<'a, 'g>],
+        record: &EntityRecord<'a, 'g>,
+        parts: &[EntityRecord<'a, 'g>],
         place: &Place,
-        context: &Context,
+        context: &EntityContext,
     ) -> Result<(), Flaw> {
         let geometry = read(record, parts)?;
         self.heights(&geometry, place);
@@ -186,8 +195,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let map = context.map.following(&mirror);
         let place = Place { at: None, ..place.clone() };
         match geometry.shape {
-            Shape::Point(point) => self.out.point(place, &map, point),
-            Shape::Chain(chain) => self.out.chain(place, &map, &chain)?,
+            EntityShape::Point(point) => self.out.point(place, &map, point),
+            EntityShape::Chain(chain) => self.out.chain(place, &map, &chain)?,
         }
         Ok(())
     }
@@ -205,7 +214,12 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 
     /// Reads the block of an INSERT, once for each row and column.
-    fn insert(&mut self, record: &Record<'a, 'g>, place: &Place, context: &Context) -> Result<(), Flaw> {
+    fn insert(
+        &mut self,
+        record: &EntityRecord<'a, 'g>,
+        place: &Place,
+        context: &EntityContext,
+    ) -> Result<(), Flaw> {
         // A block that contains itself, is too deep, or stands in another file is refused. Its entities are read once
         // for each row and column. Each copy has its number in its elements' names.
         let sections = self.sections;
@@ -228,7 +242,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let (counts, map) = copies(record, block)?;
         let id = place.element.clone().unwrap_or_default();
         let mut inner =
-            Context { layers: place.layers.clone(), inherited: place.own_names, ..context.clone() };
+            EntityContext { layers: place.layers.clone(), inherited: place.own_names, ..context.clone() };
         inner.blocks.push(key);
         for row in 0..counts[1] {
             for column in 0..counts[0] {
@@ -245,7 +259,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 }
 
 /// The name of the colour that an entity has of its own: "#rrggbb", or "color 1" by its number; `None` of one with its layer's colour.
-fn colour(record: &Record<'_, '_>) -> Option<String> {
+fn colour(record: &EntityRecord<'_, '_>) -> Option<String> {
     match record.flags(420) {
         Ok(code) if record.text(420).is_some() => {
             (0..=0xff_ff_ff).contains(&code).then(|| format!("#{code:06x}"))
@@ -258,12 +272,12 @@ fn colour(record: &Record<'_, '_>) -> Option<String> {
 }
 
 /// The columns and rows of an INSERT.
-fn counts(record: &Record<'_, '_>) -> Result<[u32; 2], Flaw> {
+fn counts(record: &EntityRecord<'_, '_>) -> Result<[u32; 2], Flaw> {
     Ok([count(record, 70)?, count(record, 71)?])
 }
 
 /// A number of columns or rows, at least 1.
-fn count(record: &Record<'_, '_>, code: i32) -> Result<u32, Flaw> {
+fn count(record: &EntityRecord<'_, '_>, code: i32) -> Result<u32, Flaw> {
     let count = record.flags(code)?.max(1);
     u32::try_from(count).map_err(|_| record.flaw(format!("Code {code} of INSERT is {count}.")))
 }
@@ -272,7 +286,7 @@ fn count(record: &Record<'_, '_>, code: i32) -> Result<u32, Flaw> {
 type Copies = Box<dyn Fn(u32, u32) -> Affine>;
 
 /// The columns and rows of an INSERT, and the maps of its block's entities.
-fn copies(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<([u32; 2], Copies), Flaw> {
+fn copies(record: &EntityRecord<'_, '_>, block: &Block<'_, '_>) -> Result<([u32; 2], Copies), Flaw> {
     let mirror = if mirrored(record)? { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
     let base = [block.head.number_or(10, 0.0)?, block.head.number_or(20, 0.0)?];
     let base = Affine::translate(-base[0], -base[1]);

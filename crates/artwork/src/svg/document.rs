@@ -2,22 +2,22 @@
 
 use roxmltree::Node;
 
-use super::sheet::Sheet;
+use super::sheet::StyleSheet;
 
 /// Namespace of SVG.
 const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// Facts about a file that its tree does not hold.
-pub(super) struct Source {
+pub(super) struct SvgSource {
     /// Offsets at which lines start, and those of the first character in each that is no blank.
     lines: Vec<(usize, usize)>,
     /// The rules of its style sheets.
-    pub(super) sheet: Sheet,
+    pub(super) sheet: StyleSheet,
 }
 
-impl Source {
+impl SvgSource {
     /// The facts about `text`, whose style sheets have the rules of `sheet`.
-    pub(super) fn new(text: &str, sheet: Sheet) -> Self {
+    pub(super) fn new(text: &str, sheet: StyleSheet) -> Self {
         Self { lines: line_starts(text), sheet }
     }
 

@@ -20,7 +20,7 @@ mod walk;
 
 use roxmltree::{Document, Node, NodeType, ParsingOptions};
 
-use self::document::{Source, is_svg, shortened};
+use self::document::{SvgSource, is_svg, shortened};
 use crate::collector::Collector;
 use crate::{Artwork, Fault, Options, Place, Weight};
 
@@ -40,10 +40,10 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> 
         collector.refuse(Place::line(1), text, "Export the drawing as SVG.");
         return collector.finish();
     }
-    let source = Source::new(text, sheet(&document, &mut collector));
+    let source = SvgSource::new(text, sheet(&document, &mut collector));
     if let Some((map, viewport)) = viewport::page(root, head(text), &mut collector) {
         // A limit that is exceeded is among the faults.
-        let _ = walk::Walk::new(&document, &source, &mut collector).run(&map, viewport);
+        let _ = walk::SvgWalk::new(&document, &source, &mut collector).run(&map, viewport);
     }
     collector.finish()
 }
@@ -73,8 +73,8 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Faul
 }
 
 /// The rules of all style sheets in the file; notes on those that are not applied.
-fn sheet(document: &Document<'_>, collector: &mut Collector<'_>) -> sheet::Sheet {
-    let mut sheet = sheet::Sheet::new();
+fn sheet(document: &Document<'_>, collector: &mut Collector<'_>) -> sheet::StyleSheet {
+    let mut sheet = sheet::StyleSheet::new();
     for node in document.root().descendants() {
         match node.node_type() {
             NodeType::Element if is_svg(node) && node.tag_name().name() == "style" => {

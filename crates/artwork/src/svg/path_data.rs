@@ -4,12 +4,12 @@ use geom::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
 use crate::affine::sin_cos_degrees;
-use crate::collector::Chain;
+use crate::collector::CurveChain;
 use crate::piece::Piece;
 
 /// The subpaths of path data, in user units.
-pub(super) fn chains(data: &str) -> Result<Vec<Chain>, String> {
-    let mut pen = Pen::default();
+pub(super) fn chains(data: &str) -> Result<Vec<CurveChain>, String> {
+    let mut pen = ChainPen::default();
     for segment in PathParser::from(data) {
         pen.draw(segment.map_err(|error| format!("Its path data is faulty: {error}."))?);
     }
@@ -19,16 +19,16 @@ pub(super) fn chains(data: &str) -> Result<Vec<Chain>, String> {
 
 /// The state of a path: where the pen is, and the last control point for smooth curves.
 #[derive(Default)]
-struct Pen {
+struct ChainPen {
     at: Point,
     start: Point,
     cubic: Option<Point>,
     quadratic: Option<Point>,
-    chain: Chain,
-    done: Vec<Chain>,
+    chain: CurveChain,
+    done: Vec<CurveChain>,
 }
 
-impl Pen {
+impl ChainPen {
     /// Ends the subpath. One without a drawing command shows nothing.
     fn lift(&mut self) {
         let chain = std::mem::take(&mut self.chain);
@@ -151,7 +151,7 @@ const ROUNDED: f64 = 2e-3;
 /// The full circle or ellipse that a subpath of two arcs means whose numbers have few decimals; `None` for any other subpath.
 ///
 /// A radius that is too long by 0.1 % moves the centre of a half turn by 4 % of the radius, to opposite sides in both halves.
-pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
+pub(super) fn full_turn(chain: &CurveChain) -> Option<CurveChain> {
     let [
         Piece::Ellipse { center, u, v, start, sweep, .. },
         Piece::Ellipse { center: second, u: u2, v: v2, start: begin, sweep: turn, .. },
@@ -173,7 +173,7 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     let is_rounded = center.distance(*second) > 1e-9 * tolerance
         && factor > 1.0 - ROUNDED
         && start_point.distance(back) <= tolerance;
-    (alike && is_rounded).then(|| Chain {
+    (alike && is_rounded).then(|| CurveChain {
         pieces: vec![Piece::ellipse(
             start_point.midpoint(middle_point),
             [*u * factor, *v * factor],

@@ -67,9 +67,9 @@ enum AttributeTest {
 }
 
 /// Steps of comparison that are left for a file.
-pub(super) struct Work(Cell<usize>);
+pub(super) struct SelectorWork(Cell<usize>);
 
-impl Work {
+impl SelectorWork {
     pub(super) fn new(steps: usize) -> Self {
         Self(Cell::new(steps))
     }
@@ -132,12 +132,12 @@ impl Selector {
     }
 
     /// Whether it matches an element, as far as `work` reaches.
-    pub(super) fn matches(&self, node: Node<'_, '_>, work: &Work) -> bool {
+    pub(super) fn matches(&self, node: Node<'_, '_>, work: &SelectorWork) -> bool {
         self.compounds.len().checked_sub(1).is_some_and(|last| self.matches_to(last, node, work))
     }
 
     /// Whether the compounds up to number `last` match an element and those around and before it.
-    fn matches_to(&self, last: usize, node: Node<'_, '_>, work: &Work) -> bool {
+    fn matches_to(&self, last: usize, node: Node<'_, '_>, work: &SelectorWork) -> bool {
         if !work.take(1) || !self.compounds[last].matches(node, work) {
             return false;
         }
@@ -191,14 +191,14 @@ impl Compound {
         conditions.saturating_add(u32::from(self.tag.is_some()))
     }
 
-    fn matches(&self, node: Node<'_, '_>, work: &Work) -> bool {
+    fn matches(&self, node: Node<'_, '_>, work: &SelectorWork) -> bool {
         self.tag.as_ref().is_none_or(|tag| tag == node.tag_name().name())
             && self.conditions.iter().all(|condition| condition.is_met(node, work))
     }
 }
 
 impl Condition {
-    fn is_met(&self, node: Node<'_, '_>, work: &Work) -> bool {
+    fn is_met(&self, node: Node<'_, '_>, work: &SelectorWork) -> bool {
         match self {
             Self::Class(class) => node
                 .attribute("class")

@@ -8,15 +8,15 @@ use svgtypes::PointsParser;
 
 use super::path_data;
 use super::viewport::Viewport;
-use crate::collector::Chain;
+use crate::collector::CurveChain;
 use crate::piece::Piece;
 
 /// The tags of shapes.
 pub(super) const TAGS: [&str; 7] = ["path", "rect", "circle", "ellipse", "line", "polyline", "polygon"];
 
 /// The chains of a shape; empty if SVG shows nothing for it.
-pub(super) fn chains(node: Node<'_, '_>, viewport: Viewport) -> Result<Vec<Chain>, String> {
-    let shape = Shape { node, viewport };
+pub(super) fn chains(node: Node<'_, '_>, viewport: Viewport) -> Result<Vec<CurveChain>, String> {
+    let shape = BasicShape { node, viewport };
     match node.tag_name().name() {
         "path" => path_data::chains(node.attribute("d").unwrap_or_default()),
         "rect" => shape.rect(),
@@ -26,12 +26,12 @@ pub(super) fn chains(node: Node<'_, '_>, viewport: Viewport) -> Result<Vec<Chain
     }
 }
 
-struct Shape<'a, 'd> {
+struct BasicShape<'a, 'd> {
     node: Node<'a, 'd>,
     viewport: Viewport,
 }
 
-impl Shape<'_, '_> {
+impl BasicShape<'_, '_> {
     /// A length along X (0), along Y (1) or of a radius (2); `None` if it is missing or "auto".
     fn length(&self, name: &str, axis: usize) -> Result<Option<f64>, String> {
         let value = self.node.attribute(name).filter(|value| value.trim() != "auto");
@@ -56,12 +56,12 @@ impl Shape<'_, '_> {
         Ok(Point::new(self.length(x, 0)?.unwrap_or(0.0), self.length(y, 1)?.unwrap_or(0.0)))
     }
 
-    fn line(&self) -> Result<Vec<Chain>, String> {
+    fn line(&self) -> Result<Vec<CurveChain>, String> {
         let (a, b) = (self.point("x1", "y1")?, self.point("x2", "y2")?);
-        Ok(vec![Chain::single(Piece::Line(a, b), a)])
+        Ok(vec![CurveChain::single(Piece::Line(a, b), a)])
     }
 
-    fn points(&self, closed: bool) -> Result<Vec<Chain>, String> {
+    fn points(&self, closed: bool) -> Result<Vec<CurveChain>, String> {
         let text = self.node.attribute("points").unwrap_or_default();
         let points: Vec<Point> = PointsParser::from(text).map(|(x, y)| Point::new(x, y)).collect();
         // The parser ends at a fault without telling; so the numbers are counted.
@@ -72,10 +72,10 @@ impl Shape<'_, '_> {
         }
         let Some(&start) = points.first() else { return Ok(Vec::new()) };
         let pieces = points.windows(2).map(|pair| Piece::Line(pair[0], pair[1])).collect();
-        Ok(vec![Chain { pieces, closed, start }])
+        Ok(vec![CurveChain { pieces, closed, start }])
     }
 
-    fn ellipse(&self) -> Result<Vec<Chain>, String> {
+    fn ellipse(&self) -> Result<Vec<CurveChain>, String> {
         let center = self.point("cx", "cy")?;
         let is_circle = self.node.tag_name().name() == "circle";
         let [rx, ry] = if is_circle { [self.size("r", 2)?; 2] } else { self.radii()? };
@@ -85,11 +85,11 @@ impl Shape<'_, '_> {
             return Ok(Vec::new());
         }
         let piece = Piece::ellipse(center, [Vec2::new(rx, 0.0), Vec2::new(0.0, ry)], 0.0, TAU);
-        Ok(vec![Chain { pieces: vec![piece], closed: true, start: center }])
+        Ok(vec![CurveChain { pieces: vec![piece], closed: true, start: center }])
     }
 
     /// A rectangle from its left upper side on, in the order of SVG 2; corners are quarters of ellipses.
-    fn rect(&self) -> Result<Vec<Chain>, String> {
+    fn rect(&self) -> Result<Vec<CurveChain>, String> {
         let origin = self.point("x", "y")?;
         let (w, h) = (self.size("width", 0)?.unwrap_or(0.0), self.size("height", 1)?.unwrap_or(0.0));
         if w == 0.0 || h == 0.0 {
@@ -114,6 +114,6 @@ impl Shape<'_, '_> {
                 pieces.push(Piece::ellipse(center, [u, v], first_angle, FRAC_PI_2));
             }
         }
-        Ok(vec![Chain { pieces, closed: true, start: origin + Vec2::new(rx, 0.0) }])
+        Ok(vec![CurveChain { pieces, closed: true, start: origin + Vec2::new(rx, 0.0) }])
     }
 }

@@ -6,19 +6,19 @@ use roxmltree::Node;
 
 use super::paint::Paint;
 use super::properties::{GEOMETRY, is_zero};
-use super::selector::{Selector, Work};
+use super::selector::{Selector, SelectorWork};
 
 /// Steps of matching rules with elements of a file. A file of 100,000 elements with a hundred rules for each needs half of them.
 const MOST_WORK: usize = 20_000_000;
 
 /// The rules of all style sheets of a file.
-pub(super) struct Sheet {
+pub(super) struct StyleSheet {
     rules: Vec<Rule>,
     /// Numbers of rules by the subjects of their selectors.
     by_subject: BTreeMap<String, Vec<usize>>,
     /// Selectors, at-rules and statements that are not applied.
     pub(super) unread: Vec<Unread>,
-    work: Work,
+    work: SelectorWork,
 }
 
 /// A selector with its declarations.
@@ -45,10 +45,10 @@ pub(super) struct Unread {
     pub(super) changes_geometry: bool,
 }
 
-impl Sheet {
+impl StyleSheet {
     pub(super) fn new() -> Self {
         let (rules, by_subject, unread) = (Vec::new(), BTreeMap::new(), Vec::new());
-        Self { rules, by_subject, unread, work: Work::new(MOST_WORK) }
+        Self { rules, by_subject, unread, work: SelectorWork::new(MOST_WORK) }
     }
 
     /// Adds the rules of a `<style>` element.

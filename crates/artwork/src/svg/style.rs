@@ -4,7 +4,7 @@ use roxmltree::Node;
 
 use super::paint::Paint;
 use super::properties::is_zero;
-use super::sheet::{Declaration, Sheet, declared};
+use super::sheet::{Declaration, StyleSheet, declared};
 
 /// Whether a reader of SVG takes `value` for the property `name`; one that it does not take leaves others in force.
 fn is_understood(name: &str, value: &str) -> bool {
@@ -31,7 +31,7 @@ pub(super) struct Cascade<'a, 'd> {
 }
 
 impl<'a, 'd> Cascade<'a, 'd> {
-    pub(super) fn new(sheet: &Sheet, node: Node<'a, 'd>) -> Self {
+    pub(super) fn new(sheet: &StyleSheet, node: Node<'a, 'd>) -> Self {
         let mut declarations: Vec<Declaration> = sheet.matching(node).cloned().collect();
         let inline = node.attribute("style").unwrap_or_default();
         declarations.extend(declared(inline, |important| (important, u32::MAX, usize::MAX)));
@@ -91,7 +91,7 @@ impl<'a, 'd> Cascade<'a, 'd> {
 
 /// The inherited properties.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
+pub(super) struct ElementStyle {
     stroke: Paint,
     fill: Paint,
     colour: [u8; 3],
@@ -104,7 +104,7 @@ pub(super) struct Style {
     pub(super) dashed: bool,
 }
 
-impl Style {
+impl ElementStyle {
     /// The style of a document without declarations.
     pub(super) const INITIAL: Self = Self {
         stroke: Paint::None,
@@ -176,14 +176,14 @@ mod tests {
     use super::*;
 
     /// The strokes of the elements inside of the root, by the cascade alone.
-    fn strokes(sheet: &Sheet, text: &str) -> Vec<Option<String>> {
+    fn strokes(sheet: &StyleSheet, text: &str) -> Vec<Option<String>> {
         let document = roxmltree::Document::parse(text).expect("xml");
         let nodes = document.root_element().children();
         nodes.map(|node| Cascade::new(sheet, node).value("stroke").map(str::to_owned)).collect()
     }
 
-    fn sheet(text: &str) -> Sheet {
-        let mut sheet = Sheet::new();
+    fn sheet(text: &str) -> StyleSheet {
+        let mut sheet = StyleSheet::new();
         sheet.add(text);
         sheet
     }
@@ -268,7 +268,7 @@ mod tests {
     fn what_is_not_understood_leaves_the_rest_in_force() {
         for value in ["light-dark(red, blue)", "var(--x)", "oklch(1 2 3)", "device-cmyk(0,1,1,0)"] {
             let stroke_of = |attributes: &str| {
-                strokes(&Sheet::new(), &format!("<svg><path {attributes}/></svg>")).remove(0)
+                strokes(&StyleSheet::new(), &format!("<svg><path {attributes}/></svg>")).remove(0)
             };
             assert_eq!(stroke_of(&format!("stroke='#f00' style='stroke:{value}'")).as_deref(), Some("#f00"));
             assert_eq!(stroke_of(&format!("style='stroke:#f00;stroke:{value}'")).as_deref(), Some("#f00"));

@@ -15,7 +15,7 @@ const PIXEL: f64 = 25.4 / 96.0;
 const POINT: f64 = 25.4 / 72.0;
 
 /// The reason for which a page has no size, and the remedy.
-type Finding = (String, String);
+type ViewportFinding = (String, String);
 
 /// Width and height to which percentages refer, in user units.
 #[derive(Clone, Copy, Debug)]
@@ -131,7 +131,7 @@ fn measured(
     root: Node<'_, '_>,
     head: &str,
     collector: &mut Collector<'_>,
-) -> Result<(Affine, Viewport), Finding> {
+) -> Result<(Affine, Viewport), ViewportFinding> {
     let page_box = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
     let lengths = ["width", "height"].map(|name| root.attribute(name).and_then(parsed));
     for (name, length) in ["width", "height"].into_iter().zip(lengths) {
@@ -145,7 +145,7 @@ fn measured(
         Some(unit)
     } else {
         let lack = stated.is_none().then(|| lack_of_size(root));
-        unstated(Writer::read(root, head), lengths, page_box, lack, collector)?
+        unstated(WritingProgram::read(root, head), lengths, page_box, lack, collector)?
     };
     let size = match unit {
         Some(unit) => sizes(lengths, page_box, &|length| by_unit(length, unit, page_box.is_some())),
@@ -220,7 +220,7 @@ fn note_replaced(unit: Unit, stated_mm: f64, unit_mm: f64, collector: &mut Colle
 
 /// The program that saved a file last, as far as its unit depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Writer {
+enum WritingProgram {
     /// Illustrator, whose px and plain numbers are 1/72 in.
     Illustrator,
     /// Inkscape before 0.92, whose px and plain numbers are 1/90 in.
@@ -233,7 +233,7 @@ enum Writer {
 /// Beginnings of the versions of Inkscape before 0.92.
 const OLD_INKSCAPE: [&str; 3] = ["0.3", "0.4", "0.91"];
 
-impl Writer {
+impl WritingProgram {
     /// Inkscape keeps the comment of Illustrator, and Illustrator no attribute of Inkscape: so the attribute counts.
     fn read(root: Node<'_, '_>, head: &str) -> Self {
         let version = root.attributes().find(|attribute| {
@@ -253,26 +253,32 @@ impl Writer {
 /// A unit that follows from the program is taken with a note where plain numbers have no other meaning, and left to the caller where
 /// the file could mean 1/96 in as well. `lack` says why the file states no size.
 fn unstated(
-    writer: Writer,
+    writer: WritingProgram,
     lengths: [Option<Length>; 2],
     page_box: Option<ViewBox>,
     lack: Option<String>,
     collector: &mut Collector<'_>,
-) -> Result<Option<Unit>, Finding> {
+) -> Result<Option<Unit>, ViewportFinding> {
     let is_stated = lack.is_none();
     let in_pixels = lengths.iter().flatten().any(|length| length.unit == LengthUnit::Px);
     let sized = lengths.iter().flatten().any(|length| length.unit != LengthUnit::Percent);
     let doubt = match (writer, lack) {
-        (Writer::OldInkscape, lack) if in_pixels || lack.is_some() || page_box.is_none() => {
+        (WritingProgram::OldInkscape, lack) if in_pixels || lack.is_some() || page_box.is_none() => {
             let reason = "Inkscape before 0.92 wrote it: its unit is 1/90 in where it was not changed since.";
             Some((Unit::OldPixel, reason.to_owned()))
         }
-        (Writer::Illustrator, _) if in_pixels => {
+        (WritingProgram::Illustrator, _) if in_pixels => {
             Some((Unit::Point, "Illustrator wrote it: its px is 1/72 in, not 1/96 in.".to_owned()))
         }
-        (Writer::Unknown, Some(lack)) => Some((Unit::Millimetre, lack)),
-        (Writer::Illustrator, Some(lack)) if page_box.is_none() => Some((Unit::Point, lack)),
-        (Writer::Illustrator | Writer::Inkscape | Writer::OldInkscape | Writer::Unknown, _) => None,
+        (WritingProgram::Unknown, Some(lack)) => Some((Unit::Millimetre, lack)),
+        (WritingProgram::Illustrator, Some(lack)) if page_box.is_none() => Some((Unit::Point, lack)),
+        (
+            WritingProgram::Illustrator
+            | WritingProgram::Inkscape
+            | WritingProgram::OldInkscape
+            | WritingProgram::Unknown,
+            _,
+        ) => None,
     };
     if let Some((unit, reason)) = doubt {
         if collector.options.assume {
@@ -296,8 +302,10 @@ fn unstated(
         return Ok(None);
     }
     let (unit, size, name) = match writer {
-        Writer::Illustrator => (Unit::Point, "1/72", "Illustrator"),
-        Writer::Inkscape | Writer::OldInkscape | Writer::Unknown => (Unit::Pixel, "1/96", "Inkscape"),
+        WritingProgram::Illustrator => (Unit::Point, "1/72", "Illustrator"),
+        WritingProgram::Inkscape | WritingProgram::OldInkscape | WritingProgram::Unknown => {
+            (Unit::Pixel, "1/96", "Inkscape")
+        }
     };
     let lack = if sized { "The size of the file has no unit" } else { "The file has no size" };
     let text = format!("{lack}; its unit is {size} in, since {name} wrote it.");

@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node, NodeId};
 
-use super::document::{Source, is_svg, names, shortened};
+use super::document::{SvgSource, is_svg, names, shortened};
 use super::paint::Paint;
 use super::properties::{GEOMETRY, is_zero};
-use super::style::{Cascade, Style};
+use super::style::{Cascade, ElementStyle};
 use super::viewport::{Viewport, nested_viewport};
 use super::{clip, conditions, path_data, shapes, transform};
 use geom::Point;
 
 use crate::affine::Affine;
-use crate::collector::{Collector, Stop};
+use crate::collector::{Collector, ReadingStop};
 use crate::{Place, Weight};
 
 /// The text of the note on texts.
@@ -21,10 +21,10 @@ const TEXT: &str = "Text is not read. Convert it to paths to have its outlines."
 
 /// The state that an element inherits.
 #[derive(Clone)]
-struct Context<'a> {
+struct ElementContext<'a> {
     map: Affine,
     viewport: Viewport,
-    style: Style,
+    style: ElementStyle,
     /// Ids and labels of groups and references around, outermost first.
     names: Vec<&'a str>,
     /// Ids of the references around, each with " > " behind it.
@@ -35,17 +35,17 @@ struct Context<'a> {
 }
 
 /// The state of the walk.
-pub(super) struct Walk<'s, 'a, 'd, 'c, 'o> {
+pub(super) struct SvgWalk<'s, 'a, 'd, 'c, 'o> {
     root: Node<'a, 'd>,
-    source: &'s Source,
+    source: &'s SvgSource,
     ids: BTreeMap<&'a str, Node<'a, 'd>>,
     out: &'c mut Collector<'o>,
 }
 
-impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
+impl<'s, 'a: 's, 'd: 's, 'c, 'o> SvgWalk<'s, 'a, 'd, 'c, 'o> {
     pub(super) fn new(
         document: &'a Document<'d>,
-        source: &'s Source,
+        source: &'s SvgSource,
         collector: &'c mut Collector<'o>,
     ) -> Self {
         let mut ids = BTreeMap::new();
@@ -58,11 +58,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Reads all elements; `map` leads from the root's user units to mm.
-    pub(super) fn run(&mut self, map: &Affine, viewport: Viewport) -> Result<(), Stop> {
-        let context = Context {
+    pub(super) fn run(&mut self, map: &Affine, viewport: Viewport) -> Result<(), ReadingStop> {
+        let context = ElementContext {
             map: *map,
             viewport,
-            style: Style::INITIAL,
+            style: ElementStyle::INITIAL,
             names: Vec::new(),
             path: String::new(),
             targets: Vec::new(),
@@ -78,7 +78,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Reads the children of a group, with the group's transform, style and names.
-    fn group(&mut self, node: Node<'a, 'd>, context: Context<'a>, only_first: bool) -> Result<(), Stop> {
+    fn group(
+        &mut self,
+        node: Node<'a, 'd>,
+        context: ElementContext<'a>,
+        only_first: bool,
+    ) -> Result<(), ReadingStop> {
         self.deeper(node, &context)?;
         let Some(mut inner) = self.entered(node, context) else { return Ok(()) };
         inner.names.extend(names(node));
@@ -97,17 +102,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Stops where an element is in too many others.
-    fn deeper(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn deeper(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Result<(), ReadingStop> {
         let limit = self.out.options.limits.depth;
         if context.depth < limit {
             return Ok(());
         }
         let text = format!("Groups and references are more than {limit} levels deep.");
         self.out.refuse(self.place(node, context), text, "Ungroup the drawing.");
-        Err(Stop)
+        Err(ReadingStop)
     }
 
-    fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn element(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Result<(), ReadingStop> {
         let first = self.out.drawing.elements.len();
         self.unclipped(node, context)?;
         self.clipped(node, context, first);
@@ -115,7 +120,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Notes a clip that hides a part of an element, whose figures are those from number `first` on.
-    fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, first: usize) {
+    fn clipped(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>, first: usize) {
         let cascade = self.cascade(node);
         let Some(value) = cascade.applied("clip-path") else { return };
         let find = |id: &str| self.ids.get(id).copied();
@@ -128,7 +133,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         }
     }
 
-    fn unclipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn unclipped(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Result<(), ReadingStop> {
         // Elements that are never drawn are passed over, hidden ones noted with the reason. The rest is a group, a
         // reference or a shape. Any other element is noted with its place, since something in the drawing is lost.
         self.out.visit()?;
@@ -187,12 +192,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// A nested `<svg>`, or a `<symbol>` or `<svg>` that `frame` (a `<use>`) refers to and may give a size.
-    fn nested(&mut self, node: Node<'a, 'd>, frame: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn nested(
+        &mut self,
+        node: Node<'a, 'd>,
+        frame: Node<'a, 'd>,
+        context: &ElementContext<'a>,
+    ) -> Result<(), ReadingStop> {
         match nested_viewport(node, frame, context.viewport) {
             Ok((map, viewport)) => {
                 let Some(own_map) = self.transform(node, context) else { return Ok(()) };
                 let map = context.map.following(&own_map).following(&map);
-                self.group(node, Context { map, viewport, ..context.clone() }, false)
+                self.group(node, ElementContext { map, viewport, ..context.clone() }, false)
             }
             Err(text) => {
                 self.out.fault(self.place(node, context), text, "Correct the attribute.");
@@ -201,7 +211,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         }
     }
 
-    fn reference(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn reference(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Result<(), ReadingStop> {
         // References into other files are noted, and circles of references refused. The target is read as if it stood
         // here, with the reference's transform and names around its own.
         self.deeper(node, context)?;
@@ -242,7 +252,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         }
     }
 
-    fn shape(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+    fn shape(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Result<(), ReadingStop> {
         // The element's names from the innermost to the outermost are its layers: id, label, colour, then those of its
         // groups. Each chain of its outline becomes an element of the drawing. Unseen ones are marked, because nobody
         // sees what they mean.
@@ -301,7 +311,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Notes paints that name no layer, and dashes.
-    fn remarks(&mut self, style: &Style, place: &Place) {
+    fn remarks(&mut self, style: &ElementStyle, place: &Place) {
         let [stroke, fill] = style.visible_paints();
         let text = match (stroke, fill) {
             (Paint::Other, _) => "Its stroke has no colour that is read, so it names no layer.",
@@ -315,7 +325,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// The context inside an element: its transform and style; `None` with a fault recorded.
-    fn entered(&mut self, node: Node<'a, 'd>, context: Context<'a>) -> Option<Context<'a>> {
+    fn entered(&mut self, node: Node<'a, 'd>, context: ElementContext<'a>) -> Option<ElementContext<'a>> {
         let cascade = self.cascade(node);
         let style = context.style.inherited(&cascade);
         let is_frame = matches!(node.tag_name().name(), "svg" | "symbol");
@@ -342,11 +352,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         // A nested frame has its transform applied before its view box, in `nested`.
         let is_nested = is_frame && node.id() != self.root.id();
         let map = if is_nested { Affine::IDENTITY } else { self.transform(node, &context)? };
-        Some(Context { map: context.map.following(&map), style, ..context })
+        Some(ElementContext { map: context.map.following(&map), style, ..context })
     }
 
     /// The transform of an element; `None` with a fault recorded.
-    fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
+    fn transform(&mut self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Option<Affine> {
         match transform::declared(node, &self.cascade(node), context.viewport) {
             Ok(map) => Some(map),
             Err(text) => {
@@ -361,7 +371,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     /// Id, layers and line of an element.
-    fn place(&self, node: Node<'a, 'd>, context: &Context<'a>) -> Place {
+    fn place(&self, node: Node<'a, 'd>, context: &ElementContext<'a>) -> Place {
         let line = self.source.line(node);
         let own_id = match node.attribute("id").filter(|id| !id.is_empty()) {
             Some(id) => id.to_owned(),

@@ -6,8 +6,8 @@
 pub mod regression;
 pub mod sample;
 
-use self::regression::{Rows, Solved, place_kernel};
-use self::sample::{Sample, sample};
+use self::regression::{ResidualRows, SolvedResiduals, place_kernel};
+use self::sample::{ResidualSample, sample};
 use crate::sha256;
 use crate::stars::computed::ComputedStar;
 use crate::stars::draw::{DrawnStar, Set};
@@ -19,7 +19,7 @@ use std::fmt::Write;
 const CENTRES: usize = 216;
 
 /// The weights of the centres, and what is found without each star.
-pub struct Fitted {
+pub struct FittedStars {
     centres: Vec<(StarPlace, [f64; WEIGHTS])>,
     /// The residuals of each star as all others give them.
     pub left_out: Vec<(DrawnStar, Residuals)>,
@@ -39,16 +39,18 @@ pub fn is_used(set: Set, number: u32) -> bool {
 ///
 /// # Errors
 /// If stars are the same.
-pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
+pub fn fitted(stars: &[ComputedStar]) -> Result<FittedStars, &'static str> {
     let (table_stars, samples) = stars_with_samples(stars);
     let places: Vec<StarPlace> = samples.iter().map(|sample| sample.place).collect();
     let centres = spread(&places);
-    let solved = |samples: &[Sample], of| Solved::new(Rows::new(samples, of, &LENGTHS), &centres);
+    let solved = |samples: &[ResidualSample], of| {
+        SolvedResiduals::new(ResidualRows::new(samples, of, &LENGTHS), &centres)
+    };
     let angles = solved(&samples, 0..1)?;
     let moved = |(star, place): (&&ComputedStar, &StarPlace)| {
         sample(star, angles.residual(place, &angles.weights, 0))
     };
-    let samples: Vec<Sample> = table_stars.iter().zip(&places).filter_map(moved).collect();
+    let samples: Vec<ResidualSample> = table_stars.iter().zip(&places).filter_map(moved).collect();
     let solved_kind = |which| solved(&samples, which);
     let kinds = [angles, solved_kind(1..2)?, solved_kind(2..3)?, solved_kind(3..WEIGHTS)?];
     // Residuals and weights in their order: one of angle, radius and stiffness each, and one for each opening.
@@ -69,7 +71,7 @@ pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
     });
     let left_out = left_out.collect();
     let of_centres = centres.iter().enumerate().map(|(centre, star)| (places[*star], weights(centre)));
-    Ok(Fitted { centres: of_centres.collect(), left_out })
+    Ok(FittedStars { centres: of_centres.collect(), left_out })
 }
 
 /// The stars among `places` that serve as centres: each the one that is worst interpolated from those before it (a pivoted Cholesky
@@ -125,17 +127,20 @@ pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
     best
 }
 
-fn unlikelihood(samples: &[Sample], lengths: &StarPlace) -> f64 {
-    [0..1, 1..2, 2..3, 3..WEIGHTS].map(|of| Rows::new(samples, of, lengths).unlikelihood()).iter().sum()
+fn unlikelihood(samples: &[ResidualSample], lengths: &StarPlace) -> f64 {
+    [0..1, 1..2, 2..3, 3..WEIGHTS]
+        .map(|of| ResidualRows::new(samples, of, lengths).unlikelihood())
+        .iter()
+        .sum()
 }
 
 /// The stars of the table among `stars` for which there are a shell and a prediction, with their residuals beyond the closed forms.
-fn stars_with_samples(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<Sample>) {
+fn stars_with_samples(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<ResidualSample>) {
     let of_table = stars.iter().filter(|one| is_used(one.star.set, one.star.number));
     of_table.filter_map(|star| Some((star, sample(star, 0.0)?))).unzip()
 }
 
-impl Fitted {
+impl FittedStars {
     /// The table as it is shipped.
     pub fn table(&self) -> String {
         let mut body = String::new();

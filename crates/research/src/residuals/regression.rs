@@ -1,6 +1,6 @@
 //! The interpolation of one kind of residual: kernels, weights, and the weights without a star.
 
-use crate::residuals::sample::Sample;
+use crate::residuals::sample::ResidualSample;
 use inflatable::mechanics::star::residuals::{LENGTHS, OPENINGS, StarPlace, kernel};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use std::ops::Range;
@@ -25,15 +25,15 @@ struct ResidualRow {
 }
 
 /// Residuals of one kind.
-pub struct Rows {
+pub struct ResidualRows {
     pub(super) places: Vec<StarPlace>,
     lengths: StarPlace,
     all: Vec<ResidualRow>,
 }
 
-impl Rows {
+impl ResidualRows {
     /// The residuals `numbers` these numbers, in the order of the weights, of `samples`.
-    pub fn new(samples: &[Sample], numbers: Range<usize>, lengths: &StarPlace) -> Self {
+    pub fn new(samples: &[ResidualSample], numbers: Range<usize>, lengths: &StarPlace) -> Self {
         let scale = SCALES[numbers.start];
         let pairs = (0..samples.len()).flat_map(|star| numbers.clone().map(move |which| (star, which)));
         let rows = pairs.filter_map(|(star, which)| {
@@ -94,8 +94,8 @@ fn opening_kernel([first, other]: [usize; 2]) -> f64 {
 
 /// The interpolation of one kind of residual: by kernels around the centres, of forces also around each opening, with the weights of least
 /// squares (the subset of regressors of Rasmussen and Williams, eq. 8.14).
-pub struct Solved {
-    rows: Rows,
+pub struct SolvedResiduals {
+    rows: ResidualRows,
     centres: Vec<StarPlace>,
     /// How many openings there are: 1 where there is no opening.
     openings: usize,
@@ -106,12 +106,12 @@ pub struct Solved {
     pub weights: DVector<f64>,
 }
 
-impl Solved {
+impl SolvedResiduals {
     /// Of `rows`, around the stars `centres`.
     ///
     /// # Errors
     /// If stars are the same.
-    pub fn new(rows: Rows, centres: &[usize]) -> Result<Self, &'static str> {
+    pub fn new(rows: ResidualRows, centres: &[usize]) -> Result<Self, &'static str> {
         let centres: Vec<StarPlace> = centres.iter().map(|star| rows.places[*star]).collect();
         let openings = 1 + rows.all.iter().map(|row| row.opening).max().unwrap_or(0);
         let count = centres.len() * openings;

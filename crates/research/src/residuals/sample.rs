@@ -1,7 +1,7 @@
 //! The residuals of one computed star.
 
 use crate::predicted::{SETTLED, predicted};
-use crate::stars::computed::{ComputedStar, Number};
+use crate::stars::computed::{ComputedStar, MeshedNumber};
 use inflatable::mechanics::star::Correction;
 use inflatable::mechanics::star::residuals::{OPENINGS, Residuals, StarPlace, WEIGHTS, place};
 use std::cell::Cell;
@@ -10,7 +10,7 @@ use std::cell::Cell;
 pub type Residual = (f64, f64);
 
 /// A computed star, its ratios, and its residuals in the order of the weights; `None` where the number is missing, or not settled.
-pub struct Sample {
+pub struct ResidualSample {
     /// Ratios of the star.
     pub place: StarPlace,
     /// Residuals of the star.
@@ -18,7 +18,7 @@ pub struct Sample {
 }
 
 /// The residuals of `star` where its angle is `angle` (rad) further open than that of the closed form.
-pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
+pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<ResidualSample> {
     let numbers = star.found.as_ref()?;
     let place_cell = Cell::new(None);
     let moved = Residuals { angle, ..Residuals::default() };
@@ -34,10 +34,10 @@ pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
             // Where arms touch, contact is part of the angle and the stiffness.
             let has_no_contact =
                 numbers.arm_contact.value == 0.0 && rest.equilibrium > moves.correction.contact_angle;
-            let Number { value, error } = numbers.angle;
+            let MeshedNumber { value, error } = numbers.angle;
             let tips = (value.to_radians() - rest.equilibrium, error.to_radians());
             let radius = ((numbers.radius.value - 1e3 * rest.radius) / unit, numbers.radius.error / unit);
-            let Number { value: stiffness, error } = numbers.stiffness;
+            let MeshedNumber { value: stiffness, error } = numbers.stiffness;
             let open = error / stiffness.abs();
             let spring = ((1e3 * stiffness / rest.stiffness).ln(), open);
             let force = |part: f64| {
@@ -55,5 +55,5 @@ pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
         },
     )?;
     // As the table has it.
-    Some(Sample { place: place_cell.take()?.map(|ratio| (1e5 * ratio).round() / 1e5), residuals })
+    Some(ResidualSample { place: place_cell.take()?.map(|ratio| (1e5 * ratio).round() / 1e5), residuals })
 }

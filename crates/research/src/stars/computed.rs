@@ -17,7 +17,7 @@ pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 3 };
 
 /// A number of the shell, with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Number {
+pub struct MeshedNumber {
     /// Value of the number.
     pub value: f64,
     /// Mesh error of the number.
@@ -28,23 +28,23 @@ pub struct Number {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShellNumbers {
     /// rho_f, mm.
-    pub radius: Number,
+    pub radius: MeshedNumber,
     /// The tips' angle, deg.
-    pub angle: Number,
+    pub angle: MeshedNumber,
     /// Radial stiffness, all corners together, N/mm.
-    pub stiffness: Number,
+    pub stiffness: MeshedNumber,
     /// Force between the arms of a tip, N.
-    pub arm_contact: Number,
+    pub arm_contact: MeshedNumber,
     /// Openings by W, and the **secant** there: the radial force that opens the star so far over the opening times the radial stiffness,
     /// all of the same mesh. Meshes agree on that ratio where they are far apart in either.
-    pub secants: Vec<(f64, Number)>,
+    pub secants: Vec<(f64, MeshedNumber)>,
 }
 
 impl ShellNumbers {
     /// The numbers that have the names of the fields, and the secants; `None` if one but a secant is missing.
     fn from_fields(
-        number: impl Fn(&str) -> Option<Number>,
-        secant: impl Fn(f64) -> Option<(f64, Number)>,
+        number: impl Fn(&str) -> Option<MeshedNumber>,
+        secant: impl Fn(f64) -> Option<(f64, MeshedNumber)>,
     ) -> Option<Self> {
         Some(Self {
             radius: number("radius")?,
@@ -140,13 +140,13 @@ impl DrawnStar {
             let numbers: Vec<f64> = rest.split(' ').filter_map(|word| word.parse().ok()).collect();
             <[f64; 5]>::try_from(numbers).ok()
         };
-        let number = |name: &str| numbers(name).map(|[value, error, ..]| Number { value, error });
+        let number = |name: &str| numbers(name).map(|[value, error, ..]| MeshedNumber { value, error });
         let secant = |part: f64| {
             let ([_, _, forces @ ..], [_, _, stiffness @ ..]) =
                 (numbers(&format!("force {part}"))?, numbers("stiffness")?);
             let by_mesh = |mesh: usize| forces[mesh] / (stiffness[mesh] * part * self.width);
             let Value { value, error, .. } = Value::new([0, 1, 2].map(by_mesh));
-            value.is_finite().then_some((part, Number { value, error }))
+            value.is_finite().then_some((part, MeshedNumber { value, error }))
         };
         Some(ComputedStar { star: *self, found: Some(ShellNumbers::from_fields(number, secant)?) })
     }
@@ -164,7 +164,7 @@ impl ComputedStar {
             ("arm_contact".to_owned(), shell.arm_contact, 3),
         ];
         numbers.extend(shell.secants.iter().map(|(part, secant)| (format!("secant {part}"), *secant, 3)));
-        for (name, Number { value, error }, decimals) in numbers {
+        for (name, MeshedNumber { value, error }, decimals) in numbers {
             let _ = write!(line, " {name} {value:.decimals$} {error:.decimals$}");
         }
         line
@@ -182,7 +182,7 @@ impl ComputedStar {
         let words: Vec<&str> = rest.split(' ').collect();
         let numbers_after = |name: &[&str]| {
             let index = words.windows(name.len()).position(|part| part == name)? + name.len();
-            Some(Number {
+            Some(MeshedNumber {
                 value: words.get(index)?.parse().ok()?,
                 error: words.get(index + 1)?.parse().ok()?,
             })

@@ -58,7 +58,7 @@ const MOST_OPEN: f64 = 160.0;
 
 /// Within which a star is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Bounds {
+struct DrawnBounds {
     /// t/W: as far as the arms' tables go.
     slenderness: [f64; 2],
     /// 1/eps: from where those tables begin to where the shell was tried.
@@ -72,7 +72,7 @@ struct Bounds {
 }
 
 /// Of the sets before `wide`.
-const USUAL: Bounds = Bounds {
+const USUAL: DrawnBounds = DrawnBounds {
     slenderness: [0.0101, 0.03],
     bendability: [100.0, 5000.0],
     arm: [0.5, 5.0],
@@ -80,16 +80,17 @@ const USUAL: Bounds = Bounds {
     points: &[3, 4, 5, 6, 7, 8],
 };
 /// Of the set `wide`: every other star of thin fabric, the others not among the usual ones for their sizes.
-const THIN: Bounds = Bounds {
+const THIN: DrawnBounds = DrawnBounds {
     slenderness: [0.005, 0.0101],
     bendability: [631.0, 5000.0],
     arm: [0.2, 8.0],
     hole: [0.5, 12.0],
     points: &[3, 4, 5, 6, 7, 8, 9, 10, 11, 12],
 };
-const ODD: Bounds = Bounds { slenderness: USUAL.slenderness, bendability: USUAL.bendability, ..THIN };
+const ODD: DrawnBounds =
+    DrawnBounds { slenderness: USUAL.slenderness, bendability: USUAL.bendability, ..THIN };
 /// Of the set `narrow`.
-const NARROW: Bounds = Bounds { hole: [0.5, 1.2], points: &[3, 4, 5], ..USUAL };
+const NARROW: DrawnBounds = DrawnBounds { hole: [0.5, 1.2], points: &[3, 4, 5], ..USUAL };
 /// Pressures at which the paper's stars are computed, kPa.
 pub const PAPER_PRESSURES: [f64; 4] = [14.0, 20.0, 37.0, 60.0];
 
@@ -159,7 +160,7 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
 }
 
 /// One throw; `None` if there is no such star, or it lies outside of `bounds`.
-fn throw((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dice) -> Option<DrawnStar> {
+fn throw((set, number): (Set, u32), points: u32, bounds: &DrawnBounds, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
     let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);
@@ -185,7 +186,7 @@ fn throw((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dic
     };
     let tube = star.flat().tube;
     let is_within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
-    let good = |bounds: &Bounds| {
+    let good = |bounds: &DrawnBounds| {
         is_within(thickness / width, bounds.slenderness)
             && is_within(tube.bendability(), bounds.bendability)
             && tube.stretch() < STRETCH

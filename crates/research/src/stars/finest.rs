@@ -1,6 +1,6 @@
 //! The paper's stars as `stargrip-cam trade` compares every model with them: a copy of their lines, held to the table by a test.
 
-use crate::stars::computed::{ComputedStar, Number};
+use crate::stars::computed::{ComputedStar, MeshedNumber};
 use crate::stars::draw::Set;
 use std::fmt::Write;
 
@@ -17,7 +17,9 @@ pub fn table(stars: &[ComputedStar]) -> String {
         let Some(shell) = &star.found else { continue };
         let Some((_, secant)) = shell.secants.iter().find(|(part, _)| *part == OPENING) else { continue };
         let _ = write!(table_text, "{} {}", star.star.points, star.star.pressure);
-        for (Number { value, error }, decimals) in [(shell.radius, 3), (shell.stiffness, 4), (*secant, 3)] {
+        for (MeshedNumber { value, error }, decimals) in
+            [(shell.radius, 3), (shell.stiffness, 4), (*secant, 3)]
+        {
             let _ = write!(table_text, " {value:.decimals$} {error:.decimals$}");
         }
         table_text.push('\n');

@@ -2,7 +2,7 @@
 
 use inflatable::shell::cases::{Fineness, FlatStar, Objects, Tube, Watch, star};
 use inflatable::shell::element::Fabric;
-use research::around::{Touch, inflate_around};
+use research::around::{ArmTouch, inflate_around};
 
 #[test]
 fn a_star_inflated_around_its_object_presses_as_one_that_is_opened() {
@@ -16,7 +16,7 @@ fn a_star_inflated_around_its_object_presses_as_one_that_is_opened() {
     let opened = star(&case, Objects::Radii(&[0.04]), fineness(2), &watch).expect("a shell").forces[0].1;
     // On the first of those meshes, and on the second, where points beside the apex touch.
     let on = |cuts, touch| inflate_around(&case, 0.04, touch, fineness(cuts), &watch).expect("a shell");
-    let (slides, sticks) = (on(0, Touch::Slides), on(1, Touch::Sticks));
+    let (slides, sticks) = (on(0, ArmTouch::Slides), on(1, ArmTouch::Sticks));
     assert!((slides.force.meshes[2] / opened.meshes[0] - 1.0).abs() < 1e-4, "{slides:?} {opened:?}");
     assert_eq!(slides.friction.meshes[2], 0.0);
     assert!(sticks.force.meshes[2] > 1.3 * opened.meshes[1], "{sticks:?} {opened:?}");
