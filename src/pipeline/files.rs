@@ -60,12 +60,11 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Report => report(forecast, sources)?,
         Subject::Seal | Subject::Trace | Subject::Cut if output.kind.is_program() => {
             let program = program_of(forecast, output)?;
-            let text = match output.kind.subject() {
-                Subject::Cut => {
-                    let cut_spec = forecast.spec.cut_by(&forecast.spec.cut.program?);
-                    emit::gcode(&cut_spec, &forecast.machine, program)
-                }
-                _ => emit::gcode(&forecast.spec, &forecast.machine, program),
+            let text = if output.kind.subject() == Subject::Cut {
+                let cut_spec = forecast.spec.cut_by(&forecast.spec.cut.program?);
+                emit::gcode(&cut_spec, &forecast.machine, program)
+            } else {
+                emit::gcode(&forecast.spec, &forecast.machine, program)
             };
             if output.kind.format() == Format::Package {
                 return emit::package(&text, program.time);
@@ -158,7 +157,20 @@ fn program_of<'f>(forecast: &'f Forecast, output: &Output) -> Option<&'f Program
     let programs = match output.kind.subject() {
         Subject::Trace => &forecast.traces,
         Subject::Cut => &forecast.cuts,
-        _ => &forecast.programs,
+        Subject::Seal => &forecast.programs,
+        Subject::Spec
+        | Subject::Machine
+        | Subject::Drawing
+        | Subject::Prediction
+        | Subject::Scene
+        | Subject::Preview
+        | Subject::Report
+        | Subject::PressPlan
+        | Subject::Outline
+        | Subject::Mask
+        | Subject::Pieces
+        | Subject::Frame
+        | Subject::Separator => return None,
     };
     let is_for = |program: &&Program| match output.part.sealed() {
         Some(number) => program.numbers() == [number],
