@@ -43,14 +43,18 @@ pub(crate) fn actuator(
     let checked_question = actuator_question(&options("actuator", &actuator_keywords(), question)?)
         .map_err(|failure| of_failure(py, &failure))?;
     let ActuatorQuestion { actuator, angles, level, detail } = checked_question;
-    let refused = |text: String| plain(py, "PredictionError", "no-prediction", &text);
     if let Some(level) = level {
         let answer = py.detach(|| actuate(&actuator, level, &angles));
-        return ActuatorPrediction::new(py, answer.map_err(|fault| refused(fault.to_string()))?, None);
+        return ActuatorPrediction::new(py, answer.map_err(|fault| refused(py, &fault))?, None);
     }
     let computed_answer = wait(py, progress, move |line| {
         line.watched(true, |watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
-    let (answer, shape) = computed_answer.map_err(|fault: ShellFault| refused(fault.to_string()))?;
+    let (answer, shape) = computed_answer.map_err(|fault: ShellFault| refused(py, &fault))?;
     ActuatorPrediction::new(py, answer, Some(Mesh { sheet: ModelledSheet::of_actuator(shape) }))
+}
+
+/// The exception for a prediction that cannot be made because of `fault`.
+fn refused(py: Python<'_>, fault: &impl ToString) -> PyErr {
+    plain(py, "PredictionError", "no-prediction", &fault.to_string())
 }

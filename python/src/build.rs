@@ -182,9 +182,9 @@ impl Build {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let Self { given: loaded, request, anyway, .. } = slf.get();
-        let names = |kinds: &[Kind]| kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>();
         let spec = Spec { given: Arc::clone(loaded) };
-        let state = (spec, names(&request.only), names(&request.with), *anyway, Tool::current().version);
+        let state =
+            (spec, kind_names(&request.only), kind_names(&request.with), *anyway, Tool::current().version);
         Ok((slf.get_type().getattr("_restored")?, state.into_pyobject(slf.py())?))
     }
 
@@ -224,4 +224,9 @@ pub(crate) fn prove<'py>(
     let proof = wait(py, progress, move |_| embedded::prove(&path))?;
     let proof = proof.map_err(|failure| of_failure(py, &failure))?;
     py.import("json")?.call_method1("loads", (proof::json(&proof),))
+}
+
+/// The names of `kinds`.
+fn kind_names(kinds: &[Kind]) -> Vec<&'static str> {
+    kinds.iter().map(|kind| kind.name()).collect()
 }

@@ -26,13 +26,16 @@ fn raised(py: Python<'_>, name: &str, text: &str, faults: &Bound<'_, PyAny>) -> 
 /// The exception `name` with one fault: the code `code`, and `text`, whose options become keywords.
 pub(crate) fn plain(py: Python<'_>, name: &str, code: &str, text: &str) -> PyErr {
     let text = in_keywords(text);
-    let fault_list = || {
-        let fault_dict = PyDict::new(py);
-        fault_dict.set_item("code", code)?;
-        fault_dict.set_item("found", &text)?;
-        Ok(vec![fault_dict].into_pyobject(py)?.into_any())
-    };
-    fault_list().map_or_else(|error: PyErr| error, |fault_list| raised(py, name, &text, &fault_list))
+    let list = fault_list(py, code, &text);
+    list.map_or_else(|error| error, |list| raised(py, name, &text, &list))
+}
+
+/// The list of one fault.
+fn fault_list<'py>(py: Python<'py>, code: &str, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    let fault_dict = PyDict::new(py);
+    fault_dict.set_item("code", code)?;
+    fault_dict.set_item("found", text)?;
+    Ok(vec![fault_dict].into_pyobject(py)?.into_any())
 }
 
 /// Wrong arguments, or arguments that exclude each other: `UsageError`.

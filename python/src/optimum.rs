@@ -144,10 +144,13 @@ impl Optimum {
     }
 
     fn __repr__(&self) -> String {
-        let rows = |columns: &Columns| columns.first().map_or(0, |(_, values)| values.len());
-        let (best, front) = (rows(&self.best), rows(&self.front));
+        let (best, front) = (row_count(&self.best), row_count(&self.front));
         format!("<Optimum of {} designs: {best} best by points, {front} on the front>", self.computed)
     }
+}
+
+fn row_count(columns: &Columns) -> usize {
+    columns.first().map_or(0, |(_, values)| values.len())
 }
 
 /// Whether two tables have the same values. A value that is unknown, NaN, equals another one.

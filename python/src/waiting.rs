@@ -60,8 +60,9 @@ pub(crate) fn wait<T: Send + 'static>(
         cancel.store(true, Ordering::Relaxed);
         return Err(error);
     }
-    let broken_off = || PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off");
-    let answer = py.detach(|| worker.join()).map_err(|_| broken_off())?;
+    let answer = py.detach(|| worker.join());
+    let answer =
+        answer.map_err(|_| PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off"))?;
     if let Some(progress_hook) = progress_hook {
         let _ = progress_hook.call1(py, (1.0, "done"))?;
     }

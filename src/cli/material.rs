@@ -23,13 +23,13 @@ impl FabricArg {
     /// The spec `source` with the values of the fabric; tells which file they are from unless `quiet`.
     pub(super) fn written_into(&self, source: Source, quiet: bool) -> Result<Source, Failure> {
         let Some(name) = &self.fabric else { return Ok(source) };
-        let material = material(name)?;
+        let fabric = material(name)?;
         if spec::seals_by_laser(&source) && gives_off_chlorine(name) {
             return Err(Failure::Message(chlorine_refused(name)));
         }
-        let text = spec::with_material(&source, &material)?;
+        let text = spec::with_material(&source, &fabric)?;
         if !quiet {
-            tell(&format!("note: the values of the fabric are from {}", escaped_line(&material.name)));
+            tell(&format!("note: the values of the fabric are from {}", escaped_line(&fabric.name)));
         }
         Ok(Source::new(format!("{} with the fabric {name}", source.name), text))
     }
@@ -93,11 +93,11 @@ fn names() -> Vec<String> {
 
 /// The message that no material is called `name`, with the nearest one and the list.
 fn unknown(name: &str) -> String {
-    let names = names();
-    let nearest = spec::nearest(name, names.iter().map(String::as_str));
+    let all_names = names();
+    let nearest = spec::nearest(name, all_names.iter().map(String::as_str));
     let suggestion =
         nearest.map_or(String::new(), |nearest| format!("; did you mean {}?", escaped_line(nearest)));
-    let list: Vec<String> = names.iter().map(escaped_line).collect();
+    let list: Vec<String> = all_names.iter().map(escaped_line).collect();
     let place =
         own_list().map_or(String::new(), |list| format!(" (yours are files in {})", escaped_line(list)));
     format!(

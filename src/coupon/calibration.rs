@@ -61,13 +61,13 @@ pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
 /// If the data do not support a choice.
 pub fn calibrate(settings: &[Calibration], required: f64, margin: f64) -> Result<Calibration, String> {
     let required_mean = (margin * required).max(WEAKEST);
-    let steady = steady(settings)?;
-    let best = steady.iter().filter(|c| c.written_strength() >= required_mean).max_by(|a, b| {
+    let steady_settings = steady(settings)?;
+    let best = steady_settings.iter().filter(|c| c.written_strength() >= required_mean).max_by(|a, b| {
         let of_haste = a.setting.pace.haste().total_cmp(&b.setting.pace.haste());
         of_haste.then(a.strength.total_cmp(&b.strength))
     });
     best.copied().ok_or_else(|| {
-        let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
+        let strongest = steady_settings.iter().map(|c| c.strength).fold(0.0, f64::max);
         unsupported(&format!(
             "the strongest setting holds {strongest:.3} N/mm, but {required_mean:.3} N/mm are needed ({margin} times \
              {required:.3}): seal slower, longer or hotter, or use less pressure"
@@ -246,20 +246,20 @@ mod tests {
     #[test]
     fn the_fastest_that_holds_is_chosen() {
         assert_eq!(rows().len(), 9);
-        let settings = settings(&rows());
-        let fast = calibrate(&settings, 1.0, 1.5).expect("0.5 mm/s holds");
+        let tested = settings(&rows());
+        let fast = calibrate(&tested, 1.0, 1.5).expect("0.5 mm/s holds");
         assert_eq!((fast.setting.pace.haste(), fast.count), (0.5, 3));
         assert!((fast.mean - 2.0).abs() < 1e-12 && (fast.deviation - 0.08).abs() < 1e-12);
         assert!((fast.strength - 1.84).abs() < 1e-12 && fast.toml().contains("speed = \"0.5 mm/s\""));
         assert!(fast.toml().contains("seal_strength = \"1.840 N/mm\""), "{}", fast.toml());
-        assert_eq!(calibrate(&settings, 1.5, 1.5).expect("0.1 mm/s holds").setting.pace.haste(), 0.1);
+        assert_eq!(calibrate(&tested, 1.5, 1.5).expect("0.1 mm/s holds").setting.pace.haste(), 0.1);
     }
 
     #[test]
     fn a_strength_is_rounded_down() {
         let row = |peel| PeelRow { heat: 200.0, pace: ToolPace::Iron { speed: 1.0, height: 0.0 }, peel };
-        let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
-        assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
+        let toml = settings(&[row(49.99), row(49.99), row(49.99)])[0].toml();
+        assert!(toml.contains("seal_strength = \"1.999 N/mm\""), "{toml}");
     }
 
     #[test]
@@ -345,12 +345,12 @@ mod tests {
     fn the_shortest_pressing_that_holds_is_chosen() {
         let table = "strip,temperature_C,time_s,peel_N,failure\n1,145,5,30,seal\n2,145,5,31,seal\n3,145,5,29,seal\n\
             4,145,10,75,fabric\n5,145,10,78,fabric\n6,145,10,72,fabric\n7,145,20,80,\n8,145,20,80,\n9,145,20,80,\n10,155,5,,\n";
-        let settings = settings(&read_press_rows(&Source::new("results.csv", table)).expect("a table"));
-        assert_eq!(settings.len(), 3);
-        let choice = calibrate(&settings, 1.5, 1.5).expect("10 s hold").toml();
+        let tested = settings(&read_press_rows(&Source::new("results.csv", table)).expect("a table"));
+        assert_eq!(tested.len(), 3);
+        let choice = calibrate(&tested, 1.5, 1.5).expect("10 s hold").toml();
         assert!(choice.ends_with("[press]\ntemperature = \"145 C\"\ntime = \"10 s\"\n"), "{choice}");
         assert!(choice.contains("seal_strength = \"2.760 N/mm\""), "{choice}");
-        let first = listing(&settings).lines().nth(1).map(str::to_owned).unwrap_or_default();
+        let first = listing(&tested).lines().nth(1).map(str::to_owned).unwrap_or_default();
         assert!(first.starts_with("#      5            145          3"), "{first}");
         let iron = read_press_rows(&Source::new("results.csv", TABLE)).expect_err("no time");
         assert!(iron.to_string().contains("time_s"), "{iron}");

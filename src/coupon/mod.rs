@@ -134,11 +134,11 @@ pub fn coupons(
     if groups.contains(&CouponGroup::Strips) {
         coupons.extend(strip_coupons(spec, machine, grid)?);
     }
-    let hose = hose(spec.inlet.as_ref());
+    let inlet = hose(spec.inlet.as_ref());
     let flap = 0.5 * spec.seal.band.0 + spec.seal.allowance.0 + MARGIN;
     let edge = machine.process.ramp.0.max(10.0).max(flap);
     if groups.contains(&CouponGroup::Disc) {
-        let pouch = disc(DISC, hose, &spec.seal)?;
+        let pouch = disc(DISC, inlet, &spec.seal)?;
         let disc_name = PieceName::Named("disc".to_owned());
         coupons.push(coupon(
             spec,
@@ -148,14 +148,14 @@ pub fn coupons(
         )?);
     }
     if let Some(star) = spec.stars.first().filter(|_| groups.contains(&CouponGroup::VActuator)) {
-        let pouch = vee(star, hose, &spec.seal)?;
+        let pouch = vee(star, inlet, &spec.seal)?;
         // It is the only piece, and a number might lie on its band.
         let name = PieceName::Named("v-actuator".to_owned());
         let piece = CouponPiece { label: None, ..placed_pouch(name, 1, &pouch, Point::ORIGIN, edge) };
         coupons.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
     if groups.contains(&CouponGroup::Burst) {
-        let pouch = disc(BURST_DISC, hose, &spec.seal)?;
+        let pouch = disc(BURST_DISC, inlet, &spec.seal)?;
         let (x, y) = machine.bench.work_area.map_or((USUAL_BED, USUAL_BED), |(x, y)| (x.0, y.0));
         let bounds = pouch.seam_bounds();
         let (w, h) = (bounds.width() + 2.0 * edge, bounds.height() + 2.0 * edge);

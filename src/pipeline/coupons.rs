@@ -243,17 +243,12 @@ impl ProvenCoupons {
 
 /// Proves a directory of coupons from its files alone: they are made again from its spec, its profile and the settings in its manifest.
 pub(super) fn prove_coupons(manifest: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
-    let failed = |findings: Vec<Finding>| Proof { findings, ..Proof::default() };
     let (reading, machine) = match sources_of(files) {
         Ok(sources) => sources,
         Err(findings) => return failed(findings),
     };
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
-    let other_settings = || {
-        let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
-        failed(vec![finding.in_file(MANIFEST)])
-    };
     if reading.spec.press.is_some() {
         return match press_settings_of(&manifest.coupons) {
             Some(grid) => MadeCoupons::pressed(&reading.spec, sources, &grid).proof(manifest, files),
@@ -345,4 +340,15 @@ fn manifest(
         files: files.iter().map(ManifestFile::new).collect(),
         pieces: coupons.iter().map(|coupon| coupon_piece(&coupon.name, &coupon.program)).collect(),
     }
+}
+
+/// The proof of a directory that cannot be made again.
+fn failed(findings: Vec<Finding>) -> Proof {
+    Proof { findings, ..Proof::default() }
+}
+
+/// The proof of a directory whose manifest has settings that no `coupon` takes.
+fn other_settings() -> Proof {
+    let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
+    failed(vec![finding.in_file(MANIFEST)])
 }

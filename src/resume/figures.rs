@@ -55,23 +55,23 @@ impl Figures {
 
     /// The lines that replace a line of the old program; empty if the new program has no such line.
     pub(super) fn line(&self, record: &Record, line: &str) -> Vec<String> {
-        let Some(comment) = comment(record, line) else { return vec![line.to_owned()] };
-        match comment.key() {
+        let Some(stated) = comment(record, line) else { return vec![line.to_owned()] };
+        match stated.key() {
             Some("total") => {
-                let mut lines = vec![record.comment(&restated(&comment, (self.length, self.seconds)))];
+                let mut lines = vec![record.comment(&restated(&stated, (self.length, self.seconds)))];
                 // A program resumed twice keeps the job of the first one.
                 if !self.is_again {
-                    lines.push(record.comment(&comment.text.replacen("total:", "job:", 1)));
+                    lines.push(record.comment(&stated.text.replacen("total:", "job:", 1)));
                 }
                 lines
             }
-            Some("sealing") if comment.number("seam").is_some_and(|seam| seam < self.seam) => Vec::new(),
-            Some("length" | "seam") => match comment.number("seam") {
+            Some("sealing") if stated.number("seam").is_some_and(|seam| seam < self.seam) => Vec::new(),
+            Some("length" | "seam") => match stated.number("seam") {
                 Some(seam) if seam < self.seam => Vec::new(),
-                Some(seam) if seam == self.seam => vec![record.comment(&restated(&comment, self.first))],
+                Some(seam) if seam == self.seam => vec![record.comment(&restated(&stated, self.first))],
                 _ => vec![line.to_owned()],
             },
-            _ if comment.text.starts_with("estimated printing time") => {
+            _ if stated.text.starts_with("estimated printing time") => {
                 let estimate = emit::estimate(record.controller.dialect, self.seconds);
                 estimate.map(|estimate| record.comment(&estimate)).into_iter().collect()
             }

@@ -184,11 +184,16 @@ impl Header {
         names.into_iter().map(|name| self.stated_process(name, default)).collect()
     }
 
+    /// The comments about the process `name`.
+    fn process_comments<'s>(&'s self, name: &'s str) -> impl Iterator<Item = &'s Comment> {
+        self.comments("process").filter(move |comment| comment.word("process") == Some(name))
+    }
+
     fn stated_process(&self, name: &str, default: &StatedProcess) -> Result<StatedProcess, ResumeFault> {
-        let of_process = || self.comments("process").filter(|comment| comment.word("process") == Some(name));
-        let number = |word: &str| of_process().find_map(|comment| comment.number(word));
+        let number = |word: &str| self.process_comments(name).find_map(|comment| comment.number(word));
         let stated = |word: &str| number(word).ok_or(ResumeFault::NotOurs("process"));
-        let power = default.seal.power.map(|_| laser_power("process", of_process())).transpose()?;
+        let power =
+            default.seal.power.map(|_| laser_power("process", self.process_comments(name))).transpose()?;
         let temperature = if power.is_some() { 0.0 } else { stated("temperature_C")? };
         let seal = Seal {
             temperature: Temperature(temperature),

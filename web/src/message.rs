@@ -5,6 +5,9 @@
 
 use serde_json::{Value, json};
 
+/// The fault of a message that ends before its files do.
+const SHORT: &str = "the question ends early";
+
 /// A question or an answer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Message {
@@ -25,16 +28,15 @@ impl Message {
     /// # Errors
     /// The message is malformed. The page wrote it, so it is a fault of the page.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
-        let short = || "the question ends early".to_owned();
-        let (head, rest) = bytes.split_first_chunk::<4>().ok_or_else(short)?;
-        let length = usize::try_from(u32::from_le_bytes(*head)).map_err(|_| short())?;
-        let (text, mut rest) = rest.split_at_checked(length).ok_or_else(short)?;
+        let (head, rest) = bytes.split_first_chunk::<4>().ok_or(SHORT)?;
+        let length = usize::try_from(u32::from_le_bytes(*head)).map_err(|_| SHORT)?;
+        let (text, mut rest) = rest.split_at_checked(length).ok_or(SHORT)?;
         let json: Value =
             serde_json::from_slice(text).map_err(|error| format!("the question is not JSON: {error}"))?;
         let mut files = Vec::new();
         for file in json["files"].as_array().into_iter().flatten() {
             let length = file["bytes"].as_u64().and_then(|length| usize::try_from(length).ok());
-            let (bytes, tail) = length.and_then(|length| rest.split_at_checked(length)).ok_or_else(short)?;
+            let (bytes, tail) = length.and_then(|length| rest.split_at_checked(length)).ok_or(SHORT)?;
             files.push((file["name"].as_str().unwrap_or_default().to_owned(), bytes.to_vec()));
             rest = tail;
         }

@@ -189,13 +189,19 @@ impl Outcome {
     /// The least and the largest radius, m, of an object that the star of `case`, which is `inflated`, surely presses on: the range of the
     /// force on it begins above 0. `None` if there is no such object.
     pub fn surely_held(&self, case: &Case, inflated: &Inflated<'_>) -> Option<Interval> {
-        let presses = |rho: f64| Self::force_range_on(case, inflated, rho).is_some_and(|[low, _]| low > 0.0);
+        let presses = |rho: f64| Self::surely_presses(case, inflated, rho);
         let has_range = |rho: f64| Self::force_range_on(case, inflated, rho).is_some();
         let [smallest, largest] = self.graspable;
         // Where shells were not opened so far, there is no range.
         let widest =
             if has_range(largest) { largest } else { last_holding(smallest, largest, ROUNDS, has_range) };
-        presses(widest).then(|| [last_holding(widest, smallest, ROUNDS, presses), widest])
+        Self::surely_presses(case, inflated, widest)
+            .then(|| [last_holding(widest, smallest, ROUNDS, presses), widest])
+    }
+
+    /// Whether the range of the force on an object of radius `rho`, m, begins above 0.
+    fn surely_presses(case: &Case, inflated: &Inflated<'_>, rho: f64) -> bool {
+        Self::force_range_on(case, inflated, rho).is_some_and(|[low, _]| low > 0.0)
     }
 
     /// The range of the force on an object of radius `rho`, m, that enters the star of `case`.

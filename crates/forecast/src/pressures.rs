@@ -54,13 +54,10 @@ pub fn rows(case: &Case, burst: Option<f64>, safe_pressure: Option<f64>) -> Vec<
     // The first of equals: less pressure does the same.
     let has_object = case.object.is_some();
     let any_tried = rows.iter().any(|row| row.tried);
-    let is_safe =
-        |row: &PressureRow| safe_pressure.is_none_or(|safe| Pressure(row.pressure_kPa).pascals() <= safe);
-    let fit = |row: &PressureRow| is_safe(row) && (row.tried || !any_tried);
     // Of equals `max_by` takes the last, which is the first of the reversed.
     let best = (0..rows.len())
         .rev()
-        .filter(|i| fit(&rows[*i]))
+        .filter(|i| rows[*i].is_safe(safe_pressure) && (rows[*i].tried || !any_tried))
         .max_by(|a, b| merit(&rows[*a], has_object).total_cmp(&merit(&rows[*b], has_object)));
     if let Some(best) = best.filter(|best| !has_object || merit(&rows[*best], has_object) > 0.0) {
         rows[best].best = true;
@@ -102,6 +99,13 @@ const ALL: [f64; 2] = [1e-3, 1e6];
 /// Number of pressures of [`ALL`] to evaluate, evenly spaced in their logarithm: twenty a decade.
 const TRIED: u32 = 181;
 
+impl PressureRow {
+    /// Whether the star surely holds this pressure, where the largest that it holds is `safe_pressure`, Pa, if that is known.
+    fn is_safe(&self, safe_pressure: Option<f64>) -> bool {
+        safe_pressure.is_none_or(|safe| Pressure(self.pressure_kPa).pascals() <= safe)
+    }
+}
+
 /// Whether the star of `case` has a prediction at `pressure`, Pa.
 pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
     let outcome = tabled(case, pressure)
@@ -113,7 +117,8 @@ pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
 /// if there is none.
 pub fn modelled(case: &Case) -> Option<Interval> {
     let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
-    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(tried_pressure(*k))).collect();
+    let modelled: Vec<u32> =
+        (0..TRIED).filter(|k| is_modelled(case, Pressure(tried_pressure(*k)).pascals())).collect();
     let (first, last) = (*modelled.first()?, *modelled.last()?);
     // From a pressure with a prediction towards its neighbour without one.
     let neighbours = [(first, first.checked_sub(1)), (last, Some(last + 1).filter(|k| *k < TRIED))];

@@ -35,18 +35,22 @@ const SHARPEST: f64 = 1e-6;
 pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
     let pressure = case.pressure?;
-    let is_safe = |r_star: f64| {
-        let seal = factor(&Ring, r_star).map(|k| HingeSeal { hinge, radius: r_star * width, k });
-        let range = seal.and_then(|seal| burst_bounds(case, seal));
-        range.is_some_and(|[low, _]| pressure <= low)
-    };
+    let is_safe = |r_star: f64| withstands(case, hinge, r_star, pressure);
     // The pull falls with R*; its range is least where the shells were.
     let ends = [(R_STAR[1], SHARPEST), (ROUNDEST, R_STAR[1])];
-    let (safe, sharp) = ends.into_iter().find(|(round, _)| is_safe(*round))?;
+    let (safe, sharp) = ends.into_iter().find(|(round, _)| withstands(case, hinge, *round, pressure))?;
     // After 60 rounds the ends differ by rounding.
     let r_star = last_holding(safe, sharp, 60, is_safe);
     let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
     Some(Length(hundredths / 100.0))
+}
+
+/// Whether the seal of `hinge` surely withstands `pressure`, Pa, at the radius R* = `r_star`.
+fn withstands(case: &Case, hinge: LoadedHinge, r_star: f64, pressure: f64) -> bool {
+    let radius = r_star * case.mechanism.width;
+    let seal = factor(&Ring, r_star).map(|k| HingeSeal { hinge, radius, k });
+    let range = seal.and_then(|seal| burst_bounds(case, seal));
+    range.is_some_and(|[low, _]| pressure <= low)
 }
 
 /// The hinge that needs the larger radius to hold: the tips are pulled harder, unless the seam at the corners is weaker.

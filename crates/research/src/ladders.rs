@@ -43,28 +43,30 @@ pub struct Ladder {
 /// Ladders of the table, arc by arc and tau by tau; those after them test the dependence on nu.
 pub fn ladders() -> Vec<Ladder> {
     let mut list = Vec::new();
-    let mut push = |arc: f64, tau, r_star, poisson| {
-        list.push(Ladder { number: list.len() + 1, angle: 180.0 - arc, tau, r_star, poisson });
-    };
     for arc in arms::ARCS {
         for tau in arms::TAUS {
             for r_star in arms::R_STARS {
-                push(arc, tau, r_star, arms::POISSON);
+                list.push(Ladder::new(list.len() + 1, arc, tau, r_star, arms::POISSON));
             }
         }
     }
     for poisson in OTHER_POISSONS {
         for (tau, r_star) in OTHERS {
-            push(arms::ARCS[0], arms::TAUS[tau], arms::R_STARS[r_star], poisson);
+            let (tau, r_star) = (arms::TAUS[tau], arms::R_STARS[r_star]);
+            list.push(Ladder::new(list.len() + 1, arms::ARCS[0], tau, r_star, poisson));
         }
     }
     for r_star in arms::THIN_R_STARS {
-        push(arms::THIN_ARC, arms::THIN_TAU, r_star, arms::POISSON);
+        list.push(Ladder::new(list.len() + 1, arms::THIN_ARC, arms::THIN_TAU, r_star, arms::POISSON));
     }
     list
 }
 
 impl Ladder {
+    fn new(number: usize, arc: f64, tau: f64, r_star: f64, poisson: f64) -> Self {
+        Self { number, angle: 180.0 - arc, tau, r_star, poisson }
+    }
+
     /// alpha_0, rad.
     pub fn arc(&self) -> f64 {
         PI - self.angle.to_radians()

@@ -170,6 +170,11 @@ fn star_size_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<S
 /// Width of the band and its allowance at the hole by default, mm.
 const DEFAULT_FLAP: f64 = 3.0;
 
+/// Whether `word` is `key` with a word before it.
+fn ends_in_key(word: &str, key: &str) -> bool {
+    word.strip_suffix(key).is_some_and(|beginning| beginning.ends_with('_'))
+}
+
 /// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
 /// section.
 fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
@@ -181,8 +186,7 @@ fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
         return format!("`{word}` belongs {}", home_in_words(section));
     }
     // A key with a word before it, `object_mass` for `mass`, is that key.
-    let is_last = |key: &&str| word.strip_suffix(key).is_some_and(|before| before.ends_with('_'));
-    let last = place.keys.iter().copied().find(|key| is_last(key));
+    let last = place.keys.iter().copied().find(|key| ends_in_key(word, key));
     if let Some(suggestion) = last.or_else(|| nearest(word, place.keys.iter().copied())) {
         return format!("did you mean `{suggestion}`?");
     }

@@ -98,15 +98,6 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
 
 /// One step that ends at `end`, s; `None` for a step without time and way.
 fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Value> {
-    let path_step = |what: &str, pieces: &[Segment]| {
-        let path = polyline(&Path::open(pieces.to_vec()));
-        json!({ "do": what, "end_s": end, "seam": seam, "path": path })
-    };
-    let ramp = |what: &str, ramp: &Ramp| {
-        let mut value = path_step(what, &ramp.pieces);
-        value["height_mm"] = json!([ramp.from, ramp.to]);
-        value
-    };
     Some(match step {
         Step::Height(level) => {
             json!({ "do": "height", "end_s": end, "height_mm": height_of(&report.machine.process, *level) })
@@ -117,13 +108,26 @@ fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Va
         Step::Travel(Point { x, y }) => {
             json!({ "do": "travel", "end_s": end, "to": [hundredths(*x), hundredths(*y)] })
         }
-        Step::TouchDown(down) => ramp("down", down),
-        Step::Seal(pieces) => path_step("seal", pieces),
-        Step::Lift(up) => ramp("up", up),
+        Step::TouchDown(down) => ramp_step("down", down, seam, end),
+        Step::Seal(pieces) => path_step("seal", pieces, seam, end),
+        Step::Lift(up) => ramp_step("up", up, seam, end),
         Step::Pause(_) => json!({ "do": "pause", "end_s": end }),
         Step::Cool(wait) => json!({ "do": "cool", "end_s": end, "wait_s": wait.0 }),
         Step::Seam(_) | Step::Trace(_) => return None,
     })
+}
+
+/// A step `action` along `pieces` of the seam `seam`, which ends at `end`, s.
+fn path_step(action: &str, pieces: &[Segment], seam: usize, end: f64) -> Value {
+    let path = polyline(&Path::open(pieces.to_vec()));
+    json!({ "do": action, "end_s": end, "seam": seam, "path": path })
+}
+
+/// The step `action` down or up a ramp of the seam `seam`, which ends at `end`, s.
+fn ramp_step(action: &str, ramp: &Ramp, seam: usize, end: f64) -> Value {
+    let mut value = path_step(action, &ramp.pieces, seam, end);
+    value["height_mm"] = json!([ramp.from, ramp.to]);
+    value
 }
 
 /// A figure for people: a difference in the last bits of a sum must not change the file.

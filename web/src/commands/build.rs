@@ -36,7 +36,6 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &build_request);
     let files = if question["prove"] == false || !is_taken {
-        let is_shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
         let files = built.artifacts.into_iter().filter(|file| is_taken || is_shown(file.output.kind));
         files.map(|file| (file.name, file.bytes)).collect()
     } else {
@@ -92,7 +91,7 @@ fn judged(
     tell: Option<Tell>,
 ) -> Result<(Forecast, Value, Vec<Value>), Value> {
     let Given { source, reading, .. } = loaded;
-    let forecast = forecast(loaded, model, tell).map_err(|refusals| refused_design(loaded, refusals))?;
+    let forecast = predicted(loaded, model, tell).map_err(|refusals| refused_design(loaded, refusals))?;
     let mut answer = named(loaded);
     let mut faults = listed(&reading.warnings);
     let sources = Sources { spec: &source.text, machine: &loaded.machine_text };
@@ -105,7 +104,7 @@ fn judged(
 }
 
 /// The forecast of the gripper by the spec's model or `model`, whose progress `tell` receives; without `tell` it leaves out a shell model, which takes seconds.
-fn forecast(loaded: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Result<Forecast, Refusals> {
+fn predicted(loaded: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Result<Forecast, Refusals> {
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = model {
         spec.accuracy.model = model;
@@ -151,11 +150,18 @@ fn overview(forecast: &Forecast) -> Value {
 
 /// The kinds of `only` and `with`.
 fn request(question: &Value) -> KindRequest {
-    let kinds = |name: &str| {
-        let names = question[name].as_array().into_iter().flatten().filter_map(Value::as_str);
-        names.filter_map(Kind::from_name).collect()
-    };
-    KindRequest { only: kinds("only"), with: kinds("with") }
+    KindRequest { only: kinds(question, "only"), with: kinds(question, "with") }
+}
+
+/// The kinds of files in the list `name` of `question`.
+fn kinds(question: &Value, name: &str) -> Vec<Kind> {
+    let names = question[name].as_array().into_iter().flatten().filter_map(Value::as_str);
+    names.filter_map(Kind::from_name).collect()
+}
+
+/// Whether the page shows this kind of file where nothing is proven.
+fn is_shown(kind: Kind) -> bool {
+    matches!(kind, Kind::PreviewSvg | Kind::Report)
 }
 
 /// Proves the files of a directory.

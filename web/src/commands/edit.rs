@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use stargrip_cam::spec;
-use stargrip_cam::spec::{LayerRole, Source, edit as text_edit, key};
+use stargrip_cam::spec::{KeyPath, LayerRole, Source, edit as text_edit, key};
 
 use crate::commands::faults::refused;
 use crate::commands::spec::source;
@@ -15,7 +15,6 @@ use crate::question::{text, wrong};
 pub(super) fn edit(question: &Value) -> Result<Value, Value> {
     let spec_source = source(question)?;
     let name = text(question, "key").unwrap_or_default();
-    let key_of = |name: &str| key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")));
     let value = text(question, "value");
     let process = name.strip_prefix("process.").and_then(|rest| rest.rsplit_once('.'));
     let spec = match process {
@@ -25,6 +24,14 @@ pub(super) fn edit(question: &Value) -> Result<Value, Value> {
         None => text_edit::edited(&spec_source, &[(key_of(name)?, value)]),
     };
     Ok(json!({ "spec": spec.map_err(|faults| refused(&faults))? }))
+}
+
+/// The key called `name`.
+///
+/// # Errors
+/// If there is no such key.
+fn key_of(name: &str) -> Result<KeyPath, Value> {
+    key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")))
 }
 
 /// The spec with the process `process` for the seams that `name` names: an element, a layer or a role of its drawing. `""` is that of

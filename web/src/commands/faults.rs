@@ -13,7 +13,6 @@ const INSTEAD: &str = "open or drop a file of this kind, or begin with an object
 /// Columns (from 1) and places are counted as in JavaScript: in units of UTF-16.
 pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let text = &faults.source().text;
-    let units = |end: usize| text[..end].encode_utf16().count();
     let page_fault = |fault: &Fault| {
         let mut value = fault_json(faults, fault);
         let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
@@ -22,11 +21,16 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
             value["remedy"] = INSTEAD.into();
         }
         value["warning"] = json!(fault.level == Severity::Warning);
-        value["column"] = json!(1 + units(fault.span.start) - units(line));
-        value["place"] = json!([units(fault.span.start), units(fault.span.end)]);
+        value["column"] = json!(1 + utf16_units(text, fault.span.start) - utf16_units(text, line));
+        value["place"] = json!([utf16_units(text, fault.span.start), utf16_units(text, fault.span.end)]);
         value
     };
     faults.list().iter().map(page_fault).collect()
+}
+
+/// The length of the first `end` bytes of `text` in units of UTF-16.
+fn utf16_units(text: &str, end: usize) -> usize {
+    text[..end].encode_utf16().count()
 }
 
 /// The answer to a question whose texts have `faults`.

@@ -141,10 +141,10 @@ pub(super) fn seam_predictions(region: &InflatedRegion, pieces: &DrawnPieces) ->
 /// The name of the seam of `pieces` whose centre line is nearest to a pull; "seam" for the only one.
 fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
     let [x, y] = pull.at.map(|length| Length::from_metres(length).0);
-    let distance = |seam: &Seam| seam.center_line.distance(Point::new(x, y));
     let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
-    let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    nearest.map_or(ONLY, name_of).to_owned()
+    let by_distance = seams.map(|seam| (seam.center_line.distance(Point::new(x, y)), seam));
+    let nearest = by_distance.min_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map_or(ONLY, |(_, seam)| name_of(seam)).to_owned()
 }
 
 fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {

@@ -25,6 +25,14 @@ struct Way<'a> {
     is_down: bool,
 }
 
+impl<'a> Way<'a> {
+    /// The way along `piece`, to which no clamp may be nearer than `reach`.
+    fn new(program: &'a Program, subject: &'static str, piece: Segment, reach: f64, is_down: bool) -> Self {
+        let reach_box = piece.bounds().outset(reach);
+        Self { subject, program, piece, reach_box, reach, is_down }
+    }
+}
+
 /// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
 /// first way that it meets.
 pub(super) fn clamps_in_the_way(
@@ -89,14 +97,10 @@ fn listed(pieces: &[PieceName]) -> String {
 
 /// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
-    let way = |subject, piece: Segment, reach: f64, is_down| {
-        let reach_box = piece.bounds().outset(reach);
-        Way { subject, program, piece, reach_box, reach, is_down }
-    };
     let followed = |piece: &Segment| match program.purpose {
-        Purpose::Seal => way("the seal", *piece, reach, true),
-        Purpose::Trace => way("the trace", *piece, 0.0, false),
-        Purpose::Cut => way("the cut", *piece, reach, true),
+        Purpose::Seal => Way::new(program, "the seal", *piece, reach, true),
+        Purpose::Trace => Way::new(program, "the trace", *piece, 0.0, false),
+        Purpose::Cut => Way::new(program, "the cut", *piece, reach, true),
     };
     let mut ways: Vec<Way<'_>> = contact_pieces(&program.steps).map(|(piece, _)| followed(piece)).collect();
     let mut position = Point::ORIGIN;
@@ -105,7 +109,7 @@ fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
             Step::Trace(pieces) => ways.extend(pieces.iter().map(followed)),
             Step::Travel(to) if position != *to => {
                 let line = Line::new(position, *to).into();
-                ways.push(way("the way to or from a seam", line, reach, false));
+                ways.push(Way::new(program, "the way to or from a seam", line, reach, false));
             }
             Step::Height(_)
             | Step::Heat(_)

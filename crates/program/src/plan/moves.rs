@@ -71,17 +71,13 @@ impl Cuts {
     fn chords(&self, arc: &Arc, count: u32) -> u32 {
         let count = count.max(ceiling(arc.sweep.abs() / FRAC_PI_2));
         let Some([fine, coarse]) = self.sagitta else { return count };
-        let chord_count = |sagitta: f64| {
-            let angle = libm::acos((1.0 - sagitta / arc.radius).max(-1.0));
-            if sagitta < arc.radius { count.max(ceiling(arc.sweep.abs() / (2.0 * angle))) } else { count }
-        };
-        let (length, plain) = (arc.length(), chord_count(fine));
+        let (length, plain) = (arc.length(), chord_count(arc, fine, count));
         match self.stroke {
             Some([longest, least]) if least > 0.0 && length < 2.0 * least * f64::from(plain) => {
                 let room = floor(length / least);
                 if length < least * f64::from(plain) {
                     // As many chords to each of the controller's shortest strokes, mostly one.
-                    room * chord_count(coarse).div_ceil(room)
+                    room * chord_count(arc, coarse, count).div_ceil(room)
                 } else {
                     plain.max(ceiling(length / longest).min(room))
                 }
@@ -89,6 +85,12 @@ impl Cuts {
             _ => plain,
         }
     }
+}
+
+/// The number of chords of an arc that leave it by `sagitta` at most; at least `count`.
+fn chord_count(arc: &Arc, sagitta: f64, count: u32) -> u32 {
+    let angle = libm::acos((1.0 - sagitta / arc.radius).max(-1.0));
+    if sagitta < arc.radius { count.max(ceiling(arc.sweep.abs() / (2.0 * angle))) } else { count }
 }
 
 /// The number of moves for a ratio: its ceiling, where an excess of rounding does not count.

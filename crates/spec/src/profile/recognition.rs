@@ -47,7 +47,7 @@ impl Machine {
 /// A kind of machine without a profile, and what its owner may try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnservedMachine {
-    /// Its names, as an owner writes them.
+    /// Names of the machine, as an owner writes them.
     pub names: &'static str,
     /// What to try, without a claim that it works.
     pub remedy: &'static str,

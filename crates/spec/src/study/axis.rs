@@ -310,12 +310,12 @@ mod draw_tests {
     #[test]
     fn a_latin_draw_takes_each_stratum_once() {
         for count in [1, 2, 3, 10, 64, 1000, 4097] {
-            let draw = draw(count, true);
-            let mut strata: Vec<u64> = (0..count).map(|i| draw.stratum(i)).collect();
+            let sample = draw(count, true);
+            let mut strata: Vec<u64> = (0..count).map(|i| sample.stratum(i)).collect();
             assert!(count < 10 || strata.windows(2).any(|pair| pair[0] > pair[1]), "{count}: shuffled");
             strata.sort_unstable();
             assert!(strata.into_iter().eq(0..count), "{count}");
-            assert!((0..count).all(|i| (10.0..=20.0).contains(&draw.value(i))));
+            assert!((0..count).all(|i| (10.0..=20.0).contains(&sample.value(i))));
         }
     }
 

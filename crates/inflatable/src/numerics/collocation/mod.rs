@@ -125,13 +125,20 @@ impl<const N: usize> Profile<N> {
         })
     }
 
+    /// The slope of the solution at the mesh point `index`.
+    fn slope(&self, problem: &impl Problem<N>, index: usize) -> [f64; N] {
+        problem.slope(self.mesh[index], &self.values[index])
+    }
+
     /// This profile with every interval halved.
     pub fn halved(&self, problem: &impl Problem<N>) -> Self {
         let mut finer = Self { mesh: vec![self.mesh[0]], values: vec![self.values[0]] };
         for i in 0..self.mesh.len() - 1 {
-            let slope = |j: usize| problem.slope(self.mesh[j], &self.values[j]);
             finer.mesh.extend([0.5 * (self.mesh[i] + self.mesh[i + 1]), self.mesh[i + 1]]);
-            finer.values.extend([self.middle(i, &slope(i), &slope(i + 1)), self.values[i + 1]]);
+            finer.values.extend([
+                self.middle(i, &self.slope(problem, i), &self.slope(problem, i + 1)),
+                self.values[i + 1],
+            ]);
         }
         finer
     }
@@ -163,9 +170,9 @@ impl<const N: usize> Solution<N> {
         let first = problem.values_at_left().len();
         for i in 0..mesh.len() - 1 {
             let h = mesh[i + 1] - mesh[i];
-            let slope = |j: usize| problem.slope(mesh[j], &values[j]);
             let xm = 0.5 * (mesh[i] + mesh[i + 1]);
-            let ym = self.profile.middle(i, &slope(i), &slope(i + 1));
+            let ym =
+                self.profile.middle(i, &self.profile.slope(problem, i), &self.profile.slope(problem, i + 1));
             let (p0, p1) = (by_parameter(mesh[i], &values[i]), by_parameter(mesh[i + 1], &values[i + 1]));
             let (pm, jm) = (by_parameter(xm, &ym), problem.jacobian(xm, &ym));
             for row in 0..N {

@@ -66,12 +66,10 @@ impl Meshed {
         let place = |point: &usize| Point::new(mesh.points[*point][0], mesh.points[*point][1]);
         let mut points: Vec<Point> = rim_points.iter().map(place).collect();
         let ends = [edge[0].start(), edge[edge.len() - 1].end()];
-        let neighbour = |piece: Piece| {
-            if matches!(piece.border, Border::Mirror(_)) { piece.border } else { Border::Free }
-        };
         let corners = [points[points.len() - 1], points[0]];
-        let outward = Piece { curve: Line::new(corners[0], ends[0]).into(), border: neighbour(rim.before) };
-        let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: neighbour(rim.after) };
+        let outward =
+            Piece { curve: Line::new(corners[0], ends[0]).into(), border: rim.before.side_border() };
+        let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: rim.after.side_border() };
         let cut = edge.into_iter().map(|curve| Piece { curve, border: Border::Free });
         for (at, piece) in [outward].into_iter().chain(cut).chain([back]).enumerate() {
             let run = sizing.divide(&piece.curve);
@@ -179,6 +177,13 @@ fn trimmed(edge: Vec<Segment>, neighbour: Piece) -> Option<Vec<Segment>> {
 
 fn reversed(edge: &[Segment]) -> Vec<Segment> {
     edge.iter().rev().map(Segment::reversed).collect()
+}
+
+impl Piece {
+    /// The border of a margin's side beside this piece: a plane of symmetry goes on, everything else ends free.
+    fn side_border(&self) -> Border {
+        if matches!(self.border, Border::Mirror(_)) { self.border } else { Border::Free }
+    }
 }
 
 #[cfg(test)]

@@ -130,8 +130,8 @@ impl Mesh {
     /// Smallest angle of all triangles, rad; pi for a mesh without any.
     #[cfg(test)]
     pub fn smallest_angle(&self) -> f64 {
-        let angles = |corners: &[usize; 3]| angles(corners.map(|point| self.points[point]));
-        self.triangles.iter().flat_map(angles).fold(std::f64::consts::PI, f64::min)
+        let corner_points = self.triangles.iter().map(|corners| corners.map(|point| self.points[point]));
+        corner_points.flat_map(angles).fold(std::f64::consts::PI, f64::min)
     }
 }
 

@@ -56,18 +56,7 @@ impl HingeModel for Ring {
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-        let solved = || {
-            // The cone exists for no R* below lambda = 1.12.
-            if lambda < 1.1 {
-                return solve_free(r_star, lambda);
-            }
-            let target = solve_target(r_star)?;
-            if lambda < solve_onset(r_star, &target)?.unknowns[LAMBDA] {
-                return solve_free(r_star, lambda);
-            }
-            follow(r_star, &target, lambda)
-        };
-        solved().map(|solved| state(&solved)).map_err(|fault| unsolved(r_star, lambda, fault))
+        solve(r_star, lambda).map(|solved| state(&solved)).map_err(|fault| unsolved(r_star, lambda, fault))
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
@@ -81,13 +70,24 @@ impl HingeModel for Ring {
     }
 }
 
+/// The section at `lambda`: free below the onset of the cone, else with it.
+fn solve(r_star: f64, lambda: f64) -> Result<Solved, NewtonFault> {
+    // The cone exists for no R* below lambda = 1.12.
+    if lambda < 1.1 {
+        return solve_free(r_star, lambda);
+    }
+    let target = solve_target(r_star)?;
+    if lambda < solve_onset(r_star, &target)?.unknowns[LAMBDA] {
+        return solve_free(r_star, lambda);
+    }
+    follow(r_star, &target, lambda)
+}
+
 /// The sections at the target and at the onset of the cone.
 fn target_and_onset(r_star: f64) -> Result<[Solved; 2], HingeFault> {
-    let solve_pair = || {
-        let target = solve_target(r_star)?;
-        Ok([target, solve_onset(r_star, &target)?])
-    };
-    solve_pair().map_err(|fault| unsolved(r_star, 1.3, fault))
+    let target = solve_target(r_star);
+    let pair = target.and_then(|target| Ok([target, solve_onset(r_star, &target)?]));
+    pair.map_err(|fault| unsolved(r_star, 1.3, fault))
 }
 
 /// Follows the branch with cone from `start_point` to `lambda`, in steps that Newton's iteration can take.

@@ -23,6 +23,13 @@ mod series;
 mod solve;
 mod table;
 mod tabled;
+/// Refuses a `ratio` of the hinge whose `value` is outside of `range`.
+fn check(ratio: HingeRatio, value: f64, range: RangeInclusive<f64>) -> Result<(), HingeFault> {
+    let (minimum, maximum) = (*range.start(), *range.end());
+    let fault = HingeFault::Scale { ratio, found: value, least: minimum, most: maximum };
+    if spans(&range, value) { Ok(()) } else { Err(fault) }
+}
+
 #[cfg(test)]
 mod tests;
 
@@ -73,11 +80,6 @@ impl Section {
     /// # Errors
     /// If one of them, or the p W / Y that they make, is outside of its range.
     pub fn new(bendability: f64, thickness: f64, poisson: f64) -> Result<Self, HingeFault> {
-        let check = |ratio, found: f64, range: RangeInclusive<f64>| {
-            let (minimum, maximum) = (*range.start(), *range.end());
-            let fault = HingeFault::Scale { ratio, found, least: minimum, most: maximum };
-            if spans(&range, found) { Ok(()) } else { Err(fault) }
-        };
         // The fabric first: no pressure helps where it is out of range.
         check(HingeRatio::Poisson, poisson, POISSON)?;
         check(HingeRatio::Thickness, thickness, THICKNESS)?;

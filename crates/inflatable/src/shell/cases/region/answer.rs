@@ -243,7 +243,7 @@ fn seam_pulls(case: &FlatRegion, pulls: &[Vec<Station>], [w, y]: [f64; 2]) -> Ve
     let holes = case.chamber.holes.len();
     let islands = holes + case.chamber.islands.len();
     let Some(last) = pulls.last() else { return Vec::new() };
-    let pull_at = |mesh: usize, station: usize| pulls[mesh.min(pulls.len() - 1)][station].pull;
+    let meshes = [0, 1, 2].map(|mesh| &pulls[mesh.min(pulls.len() - 1)]);
     (last.iter().enumerate())
         .map(|(k, station)| SeamPull {
             seam: match station.curve {
@@ -253,7 +253,7 @@ fn seam_pulls(case: &FlatRegion, pulls: &[Vec<Station>], [w, y]: [f64; 2]) -> Ve
                 weld => RegionSeam::Weld(weld - islands - 1),
             },
             at: station.at.map(|x| x * w),
-            pull: Value::new([0, 1, 2].map(|mesh| pull_at(mesh, k))).scaled(y),
+            pull: Value::new(meshes.map(|stations| stations[k].pull)).scaled(y),
         })
         .collect()
 }

@@ -13,12 +13,16 @@ const DIFFERENT: f64 = 0.03;
 pub(super) fn lower_of(first: InflatedRegion, second: InflatedRegion) -> InflatedRegion {
     let is_second_lower = second.energy.meshes[2] < first.energy.meshes[2];
     let (lower, higher) = if is_second_lower { (second, first) } else { (first, second) };
-    let differs = |a: Value, b: Value| (a.meshes[2] - b.meshes[2]).abs() > DIFFERENT * b.meshes[2].abs();
     let is_other = differs(higher.height, lower.height) || differs(higher.volume, lower.volume);
     let evidence = lower.evidence.join(&higher.evidence);
     let other_probed = higher.probed.clone();
     let second = is_other.then(|| Box::new(higher));
     InflatedRegion { other_probed, second, evidence, ..lower }
+}
+
+/// Whether two values differ by more than [`DIFFERENT`] on the finest mesh.
+fn differs(a: Value, b: Value) -> bool {
+    (a.meshes[2] - b.meshes[2]).abs() > DIFFERENT * b.meshes[2].abs()
 }
 
 /// The weight of a shape with folds against the mean of its wrinkles.
@@ -117,8 +121,7 @@ fn blended_surface(smooth: &Surface, folded: &Surface, part: f64) -> Surface {
 
 /// Rows of numbers, each `part` of the way from the first to the second.
 fn interpolated_rows<const N: usize>(from: &[[f64; N]], to: &[[f64; N]], part: f64) -> Vec<[f64; N]> {
-    let interpolated_row = |a: &[f64; N], b: &[f64; N]| std::array::from_fn(|k| a[k] + part * (b[k] - a[k]));
-    from.iter().zip(to).map(|(a, b)| interpolated_row(a, b)).collect()
+    from.iter().zip(to).map(|(a, b)| std::array::from_fn(|k| a[k] + part * (b[k] - a[k]))).collect()
 }
 
 #[cfg(test)]

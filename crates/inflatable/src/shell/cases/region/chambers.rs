@@ -3,7 +3,7 @@
 use crate::shell::cases::region::pressures::PartialPressure;
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
-use geom::{Path, Point};
+use geom::Path;
 
 /// One flat chamber and its load, SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +38,9 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
             allowed: "a millionth of its length",
         });
     }
-    let is_inside = |outer: &Path, p: Point| outer.encloses(p);
     let depth = |at: usize| {
         let p = loops[at].segments[0].point(0.5);
-        (0..loops.len()).filter(|other| *other != at && is_inside(&loops[*other], p)).count()
+        (0..loops.len()).filter(|other| *other != at && loops[*other].encloses(p)).count()
     };
     let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
     let mut nested: Vec<(usize, FlatChamber)> = Vec::new();
@@ -52,9 +51,9 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
     for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {
         let p = island.segments[0].point(0.5);
         let enclosing =
-            nested.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && is_inside(&chamber.outline, p));
+            nested.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && chamber.outline.encloses(p));
         let Some((_, chamber)) = enclosing else { continue };
-        if cuts.iter().any(|cut| cut.start().is_some_and(|p| is_inside(island, p))) {
+        if cuts.iter().any(|cut| cut.start().is_some_and(|p| island.encloses(p))) {
             let is_clockwise = island.area() < 0.0;
             chamber.holes.push(if is_clockwise { island.clone() } else { island.reversed() });
         } else {
@@ -63,7 +62,7 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
     }
     for weld in welds {
         let p = weld.segments[0].point(0.5);
-        let enclosing = nested.iter_mut().filter(|(_, chamber)| is_inside(&chamber.outline, p));
+        let enclosing = nested.iter_mut().filter(|(_, chamber)| chamber.outline.encloses(p));
         match enclosing.max_by_key(|(depth, _)| *depth) {
             Some((_, chamber)) => chamber.welds.push(weld.clone()),
             None => return Err(MeshFault::Outside { at: [p.x, p.y] }),

@@ -35,10 +35,6 @@ pub(super) fn measure(
     let volume = 2.0 * volumes.sum::<f64>();
     let top = (0..mesh.points.len()).max_by(|a, b| state.points[*a][2].total_cmp(&state.points[*b][2]));
     let top = top.unwrap_or_default();
-    let extent = |axis: usize| {
-        let coordinates = || state.points.iter().map(|x| x[axis]);
-        coordinates().fold(f64::NEG_INFINITY, f64::max) - coordinates().fold(f64::INFINITY, f64::min)
-    };
     let mut measured = Measured { height_at: mesh.points[top], ..Measured::default() };
     let (mut stretch, mut tension) = (0.0, 0.0);
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
@@ -53,7 +49,7 @@ pub(super) fn measure(
         }
     }
     let height = 2.0 * state.points[top][2];
-    let (x, y) = (extent(0), extent(1));
+    let (x, y) = (extent(state, 0), extent(state, 1));
     let [force, contact_area] = plates::force_and_area(solver, mesh, state, pressure);
     let [symmetric, antisymmetric] = stability::lowest(solver, (state, pressure), sealed);
     measured.numbers =
@@ -61,14 +57,22 @@ pub(super) fn measure(
     measured
 }
 
+/// The extent of `state` along x or y, `axis` 0 or 1.
+fn extent(state: &State, axis: usize) -> f64 {
+    let coordinates = state.points.iter().map(|x| x[axis]);
+    coordinates.clone().fold(f64::NEG_INFINITY, f64::max) - coordinates.fold(f64::INFINITY, f64::min)
+}
+
+/// The mean of x and y of `points`, weighted by the areas around them.
+fn mean(points: &[[f64; 3]], areas: &[f64]) -> [f64; 2] {
+    let total_area: f64 = areas.iter().sum();
+    [0, 1].map(|c| points.iter().zip(areas).map(|(x, area)| area * x[c]).sum::<f64>() / total_area)
+}
+
 /// The shape where it lies best on the flat sheet, by the mean of squares over the area.
 pub(super) fn aligned(sheet: &Sheet, state: &State) -> State {
     let flat = sheet.flat();
-    let total_area: f64 = sheet.areas.iter().sum();
-    let mean = |points: &[[f64; 3]]| {
-        [0, 1].map(|c| points.iter().zip(&sheet.areas).map(|(x, area)| area * x[c]).sum::<f64>() / total_area)
-    };
-    let (from, to) = (mean(&state.points), mean(&flat.points));
+    let (from, to) = (mean(&state.points, &sheet.areas), mean(&flat.points, &sheet.areas));
     let (mut sine, mut cosine) = (0.0, 0.0);
     for ((x, at), area) in state.points.iter().zip(&flat.points).zip(&sheet.areas) {
         let ([x, y], [u, v]) = ([0, 1].map(|c| x[c] - from[c]), [0, 1].map(|c| at[c] - to[c]));

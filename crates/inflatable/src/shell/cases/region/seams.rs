@@ -108,12 +108,11 @@ impl ForceAlongCurve {
     fn mean(&self, s: f64, band: f64, closed: bool) -> f64 {
         let [from, to] = [s - band / 2.0, s + band / 2.0];
         let whole_sum = self.up_to(1.0);
-        let sum = |s: f64| {
+        let [[f0, l0], [f1, l1]] = [from, to].map(|s| {
             let turns = if closed { s.floor() } else { 0.0 };
             let [force, length] = self.up_to(s - turns);
             [force + turns * whole_sum[0], length + turns * whole_sum[1]]
-        };
-        let ([f0, l0], [f1, l1]) = (sum(from), sum(to));
+        });
         if l1 > l0 { (f1 - f0) / (l1 - l0) } else { 0.0 }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::cases::region::pressures::{PartialPressure, parts_of_pressure};
-use crate::shell::mesh::{Border, FlatChamber, Meshed};
+use crate::shell::mesh::{Border, FlatChamber, Mesh, Meshed};
 use geom::Point;
 
 /// The nodes at which both sheets are joined.
@@ -58,15 +58,14 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet
     let mut supports = level(sealed, sheet);
     let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
     let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
-    let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);
     let Some(&first) = rim.first() else { return supports };
     let farthest = |from: usize| {
-        let distance = |point: &&usize| place(**point).distance(place(from));
+        let distance = |point: &&usize| place(mesh, **point).distance(place(mesh, from));
         rim.iter().max_by(|a, b| distance(a).total_cmp(&distance(b))).copied().unwrap_or(from)
     };
     let start = farthest(first);
     let other = farthest(start);
-    let chord = place(other) - place(start);
+    let chord = place(mesh, other) - place(mesh, start);
     // The farthest point may come nearer along the axis that lies most along the line between both.
     let axis_across = usize::from(chord.x.abs() > chord.y.abs());
     for (point, axis) in [(start, 0), (start, 1), (other, axis_across)] {
@@ -83,4 +82,8 @@ pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
         supports.fix(point, 1);
     }
     supports
+}
+
+fn place(mesh: &Mesh, point: usize) -> Point {
+    Point::new(mesh.points[point][0], mesh.points[point][1])
 }

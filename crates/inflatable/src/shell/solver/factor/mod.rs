@@ -15,6 +15,11 @@ mod refine;
 mod subtree;
 mod supernode;
 mod symbolic;
+/// `numbers` as indices.
+fn wide(numbers: &[u32]) -> Vec<usize> {
+    numbers.iter().map(|number| *number as usize).collect()
+}
+
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -50,7 +55,6 @@ pub(crate) struct Factor {
 impl Factor {
     /// Analyses the pattern, in which the rows of each column rise from its diagonal on; `None` if it is too large for this machine.
     pub(crate) fn new(starts: &[u32], rows: &[u32]) -> Option<Self> {
-        let wide = |numbers: &[u32]| numbers.iter().map(|number| *number as usize).collect();
         let lower = Lists { starts: wide(starts), items: wide(rows) };
         let symbolic = Symbolic::new(&lower);
         Some(Self {
