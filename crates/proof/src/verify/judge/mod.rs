@@ -28,7 +28,8 @@ use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Line
 /// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs. It adds what is wrong
 /// with each to its own findings.
 pub(super) trait Judge {
-    /// The next line, before each of its effects.
+    /// The next line, before each of its effects. After the last line of the file comes an empty one, whose effects are what is wrong with
+    /// the whole program.
     fn line(&mut self, _line: &Line<'_>, _findings: &mut Findings) {}
 
     /// A motion from a known position.
