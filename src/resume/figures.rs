@@ -87,7 +87,7 @@ pub(super) fn comment(record: &Record, line: &str) -> Option<Comment> {
         None => line.strip_prefix('(')?.strip_suffix(')')?,
     };
     let text = text.trim().to_owned();
-    (record.comment(&text) == line.trim_end()).then_some(Comment { line: 0, text })
+    (record.comment(&text) == line.trim_end()).then(|| Comment::new(0, text))
 }
 
 /// The text of a comment with another length, mm, and another time, s.

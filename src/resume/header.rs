@@ -52,7 +52,7 @@ impl Header {
             Comments::Semicolon => line.strip_prefix(';'),
             Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
         });
-        Self(lines.map(|text| Comment { line: 0, text: text.trim().to_owned() }).collect())
+        Self(lines.map(|text| Comment::new(0, text.trim().to_owned())).collect())
     }
 
     pub(super) fn find(&self, key: &'static str) -> Result<&Comment, ResumeFault> {

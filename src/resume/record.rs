@@ -104,8 +104,7 @@ impl Record {
         let Self { process, controller, motion, .. } = self;
         let titles = text.lines().filter_map(|line| {
             let rest = line.strip_prefix([';', '('])?.trim_start();
-            rest.starts_with("seam:")
-                .then(|| Comment { line: 0, text: rest.trim_end_matches(')').to_owned() })
+            rest.starts_with("seam:").then(|| Comment::new(0, rest.trim_end_matches(')').to_owned()))
         });
         let contacts = if self.processes.is_empty() {
             Vec::new()

@@ -68,7 +68,7 @@ impl<'a> StatedFigures<'a> {
         let record = toolpath.record;
         let comments: Vec<Comment> = (1..)
             .zip(toolpath.text.lines())
-            .filter_map(|(line, text)| Some(Comment { line, ..comment(record, text)? }))
+            .filter_map(|(line, text)| Some(Comment::new(line, comment(record, text)?.text)))
             .filter(|comment| matches!(comment.key(), Some("length" | "seam" | "total" | "job" | "resume")))
             .collect();
         let titles: HashMap<usize, u64> = comments

@@ -80,6 +80,8 @@ pub struct Vocabulary {
     pub fixed: &'static [Command],
     /// Letters of the words that carry numbers.
     pub parameters: &'static str,
+    /// Whether the controller drives a laser, and S sets its power.
+    pub drives_laser: bool,
 }
 
 impl Vocabulary {
@@ -94,6 +96,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        drives_laser: false,
     };
 
     /// LinuxCNC.
@@ -106,6 +109,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        drives_laser: false,
     };
 
     /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
@@ -118,11 +122,16 @@ impl Vocabulary {
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
+        drives_laser: false,
     };
 
     /// GRBL's family with a laser: M3, M4 and M5, and S for the power.
-    const GRBL_LASER: Self =
-        Self { codes: &[&COMMON, &GEOMETRY, &RS274, &LASER], parameters: "XYZIJFPS", ..Self::GRBL };
+    const GRBL_LASER: Self = Self {
+        codes: &[&COMMON, &GEOMETRY, &RS274, &LASER],
+        parameters: "XYZIJFPS",
+        drives_laser: true,
+        ..Self::GRBL
+    };
 
     /// Marlin without its options: no arcs, planes or inches.
     const MARLIN: Self = Self {
@@ -134,6 +143,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
+        drives_laser: false,
     };
 
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
@@ -152,6 +162,7 @@ impl Vocabulary {
         ],
         fixed: &[C::PerMinute],
         parameters: "XYZFPSRT",
+        drives_laser: false,
     };
 
     /// RepRapFirmware 3: arc centres always from the start.
@@ -164,6 +175,7 @@ impl Vocabulary {
         words: &[],
         fixed: &[C::CentersRelative],
         parameters: "XYZIJFPSRT",
+        drives_laser: false,
     };
 
     /// Bambu's firmware, whose sources are not published: only words of its own start and end lines, and M400 U1, with which Bambu
@@ -177,6 +189,7 @@ impl Vocabulary {
         words: &[("M400 U1", C::Pause)],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
+        drives_laser: false,
     };
 
     /// Whether M109 waits with S for a cold heater only, and with R for one that is too hot, too.
@@ -213,11 +226,6 @@ impl Vocabulary {
             None => Self::for_dialect(controller.dialect),
         };
         if controller.arcs { family } else { family.without_arcs() }
-    }
-
-    /// Whether the controller drives a laser, and S sets its power.
-    pub fn drives_laser(self) -> bool {
-        self.command(b'M', 5.0) == Some(Command::BeamOff)
     }
 
     /// This vocabulary without the words for arcs.

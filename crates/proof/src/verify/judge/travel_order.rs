@@ -144,10 +144,9 @@ impl Judge for TravelOrder {
     }
 
     fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
-        if let Some(key) = ["heat", "seam", "pause", "cool", "tool", "cut", "mark", "beam"]
-            .into_iter()
-            .find(|key| comment.key() == Some(*key))
-        {
+        let Some(key) = comment.key() else { return };
+        let waypoints = ["heat", "seam", "pause", "cool", "tool", "cut", "mark", "beam"];
+        if let Some(key) = waypoints.into_iter().find(|waypoint| *waypoint == key) {
             self.pass(&Waypoint::Comment(key), comment.line, findings);
         }
     }

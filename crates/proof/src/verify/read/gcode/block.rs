@@ -96,10 +96,9 @@ impl Block {
             return Err(Finding::new(FindingCode::UnusedWord, "P or a dwell, one of them", "both or none"));
         }
         let stray = b"PRST".iter().copied().find(|letter| {
-            // The power of a laser may change in any line. Whether there is a laser is asked last: few lines have such a word.
-            self.value(*letter).is_some()
-                && !self.is_read(*letter)
-                && !(*letter == b'S' && dialect.vocabulary.drives_laser())
+            // The power of a laser may change in any line.
+            let is_power = *letter == b'S' && dialect.vocabulary.drives_laser;
+            self.value(*letter).is_some() && !self.is_read(*letter) && !is_power
         });
         if let Some(letter) = stray {
             let fault = format!("{} without its command", char::from(letter));

@@ -195,14 +195,24 @@ pub struct Comment {
     pub line: usize,
     /// The text behind the semicolon, trimmed.
     pub text: String,
+    /// Length of its key: every judge asks for it.
+    key_length: Option<usize>,
 }
 
 impl Comment {
+    /// The comment `text` of line `line`.
+    pub fn new(line: usize, text: String) -> Self {
+        let key_length = text.split_once(':').and_then(|(key, rest)| {
+            let mut words = rest.split_whitespace().peekable();
+            let is_structured = words.peek().is_some() && words.all(|word| word.contains('='));
+            (is_structured && !key.is_empty()).then_some(key.len())
+        });
+        Self { line, text, key_length }
+    }
+
     /// The key, if the comment is structured: the text before the first colon, when each word after it is `word=value`.
     pub fn key(&self) -> Option<&str> {
-        let (key, rest) = self.text.split_once(':')?;
-        let words = !rest.trim().is_empty() && rest.split_whitespace().all(|word| word.contains('='));
-        (words && !key.is_empty()).then(|| key.trim())
+        self.text.get(..self.key_length?).map(str::trim)
     }
 
     /// The value of `word` in a structured comment.
@@ -223,7 +233,7 @@ mod tests {
     use super::*;
 
     fn comment(text: &str) -> Comment {
-        Comment { line: 1, text: text.to_owned() }
+        Comment::new(1, text.to_owned())
     }
 
     #[test]

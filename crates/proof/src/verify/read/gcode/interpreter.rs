@@ -201,7 +201,7 @@ impl Interpreter {
     }
 
     fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
-        let comment = Comment { line: self.line, text: text.to_owned() };
+        let comment = Comment::new(self.line, text.to_owned());
         if comment.key() == Some("heat") {
             self.announced = comment.number("temperature_C");
             if self.announced.is_none() {

@@ -105,7 +105,7 @@ impl Machine {
     /// Follows the words to a laser: S counts before M3, M4 and M5 of its line (gcode.c, gc_execute_line).
     fn set_beam(&mut self, context: &mut BlockContext<'_>) {
         let BlockContext { block, dialect, .. } = *context;
-        if !dialect.vocabulary.drives_laser() {
+        if !dialect.vocabulary.drives_laser {
             return;
         }
         let mode = block.commands.iter().find_map(|command| match command {
