@@ -252,6 +252,13 @@ fn a_process_that_the_machine_cannot_make_is_refused_by_name() {
         refusals.iter().all(|refusal| is_of_slow(refusal) || refusal.key.section() == "seal"),
         "{refusals}"
     );
+    let long = "inner_process = \"weak\"\n[process.weak]\noverlap = \"900 mm\"\n";
+    let refusals =
+        crate::try_built(&crate::spec_text(long), profile("linuxcnc")).map(|_| ()).expect_err("long");
+    assert_eq!(
+        refusals.iter().map(|refusal| (refusal.code, refusal.key.section())).collect::<Vec<_>>(),
+        [(RefusalCode::LongOverlap, "process")]
+    );
     let misspelt =
         "[drawing.process]\nweak = [\"tera\"]\nspot = [\"hose\"]\n[process.weak]\n[process.spot]\n";
     let refusals = try_pouch(misspelt, "linuxcnc").map(|_| ()).expect_err("no such seams");
