@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::answer::duration::sealing_in_words;
-use crate::pipeline::Forecast;
+use crate::pipeline::{FirstLoop, Forecast};
 use design::CutEdge;
 use forecast::drawn::chamber_prediction::ChamberPrediction;
 use forecast::interval::scaled;
@@ -100,6 +100,9 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
         let with_range = |range| with_limit(burst, range, "kPa", Some(pressure.0));
         let burst_text = range.map_or_else(|| or_unknown(burst, None, "kPa"), with_range);
         rows.push(("bursts", format!("at {burst_text}; {} times its pressure", rounded(burst / pressure.0))));
+        if let Some(FirstLoop { name, process }) = forecast.first_loop() {
+            rows.push(("opens", format!("the {name} first (process {process})")));
+        }
     }
     rows
 }

@@ -34,11 +34,11 @@ impl Interface<'_> {
         }
     }
 
-    /// Where the pull on the seams of a star is listed.
+    /// What tells which loop of a star opens first.
     pub(super) fn pulls(self) -> &'static str {
         match self {
-            Self::Command(_) => "`check` lists the pull on both loops",
-            Self::Page => "the report lists the pull on both loops",
+            Self::Command(_) => "with a pressure in [load] `check` says which",
+            Self::Page => "with a pressure in [load] the page says which",
         }
     }
 

@@ -45,6 +45,7 @@ pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 pub use refused::unfit_besides;
 pub use sheet_alignment::{AlignedFault, read_mark};
+pub use weak_process::FirstLoop;
 
 /// A gripper with the prediction of its behaviour.
 #[derive(Clone, Debug)]

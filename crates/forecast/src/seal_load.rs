@@ -9,7 +9,7 @@ mod burst;
 mod pull;
 
 pub(super) use self::burst::weakest_bounds;
-pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
+pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at, first_to_open};
 pub use self::pull::{HingeSeal, LoadedHinge, RANGE, factor, largest_pull, pull, tried_range};
 
 use self::burst::{burst_bounds, bursting, sure_strength};

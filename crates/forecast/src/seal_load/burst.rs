@@ -58,6 +58,11 @@ fn weakest(case: &Case, ring: &dyn HingeModel) -> Option<HingeSeal> {
     Some(if tip.0 <= corner.0 { tip.1 } else { corner.1 })
 }
 
+/// The hinges whose loop opens first, where the two loops have different strengths; `None` where they have one, or one is unknown.
+pub fn first_to_open(case: &Case) -> Option<LoadedHinge> {
+    weakest(case, &Ring).filter(|_| case.peel.tip != case.peel.corner).map(|seal| seal.hinge)
+}
+
 /// Pressure (Pa) at which the seal peels at its weakest hinge; `None` without a peel strength.
 pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
     let seal = weakest(case, ring)?;
