@@ -244,6 +244,11 @@ fn cut_sheet(forecast: &Forecast) -> Option<Precaution> {
     let fumes = match process.tool {
         CutTool::HotTip { .. } => "; hot fabric gives off fumes, so draw them off",
         CutTool::DragKnife { .. } => "",
+        CutTool::Laser { .. } => {
+            let text = "before the cut leave the sheet clamped, with a honeycomb or something else under it that does not burn: a cut \
+                        sets fire sooner than a seal";
+            return Some(Precaution::new(PrecautionCode::CutSheet, text.to_owned()));
+        }
     };
     let (tool, height) = (process.tool.in_words(), Readable(-process.height.0));
     let text = format!(

@@ -3,7 +3,7 @@
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::pipeline::{self, Built, Sources, read_back};
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
-use stargrip_cam::spec::{self, Code, Machine};
+use stargrip_cam::spec::{self, Code, LASER_PROFILE, Machine};
 use stargrip_cam::verify::Finding;
 
 use crate::support::{files_of, read, replace, reseal};
@@ -11,6 +11,8 @@ use crate::support::{files_of, read, replace, reseal};
 const HOT: &str = "tool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"10 mm/s\"\nheight = \"-1 mm\"\n";
 const KNIFE: &str =
     "tool = \"drag-knife\"\nblade_offset = \"0.25 mm\"\nspeed = \"20 mm/s\"\nheight = \"-0.8 mm\"\n";
+
+const LASER: &str = "tool = \"laser\"\npower = \"60 %\"\nspeed = \"10 mm/s\"\nfocus = \"11 mm\"\n";
 
 const PROFILES: [&str; 9] =
     ["generic", "grbl", "grblhal", "fluidnc", "linuxcnc", "marlin", "klipper", "reprapfirmware", "bambu"];
@@ -24,9 +26,10 @@ fn star_count(profile: &str) -> usize {
 fn text(profile: &str, cut: &str, kerf: &str) -> String {
     let count = star_count(profile);
     let [radius, width] = if count == 1 { [26, 16] } else { [40, 24] };
+    let power = if profile == LASER_PROFILE { "power = \"8 %\"\ntip = \"1 mm\"\n" } else { "" };
     format!(
         "schema = 1\nname = \"cut\"\n[star]\npoints = 5\ninner_radius = \"{radius} mm\"\ntube_width = \"{width} mm\"\n\
-         tip_angle = \"30 deg\"\n[stack]\ncount = {count}\n[seal]\nspeed = \"10 mm/s\"\n[cut]\nkerf = {kerf:?}\n{cut}\
+         tip_angle = \"30 deg\"\n[stack]\ncount = {count}\n[seal]\nspeed = \"10 mm/s\"\n{power}[cut]\nkerf = {kerf:?}\n{cut}\
          [machine]\nprofile = {profile:?}\n[inlet]\nnone = true\n"
     )
 }
@@ -118,11 +121,12 @@ fn mirrored_word(word: &str, middle: &str) -> String {
 
 #[test]
 fn every_dialect_cuts_along_the_outline_with_every_tool() {
-    for profile in PROFILES {
+    for profile in PROFILES.into_iter().chain([LASER_PROFILE]) {
         let count = star_count(profile);
         // Two stars have more than a metre of cuts.
         let [length, time] = [500.0, 50.0].map(|bound| if count == 1 { bound } else { 2.0 * bound });
-        for cut in [HOT, KNIFE] {
+        let tools: &[&str] = if profile == LASER_PROFILE { &[LASER] } else { &[HOT, KNIFE] };
+        for cut in tools {
             let build = built(profile, cut);
             let (name, text) = program(&build);
             assert_eq!(findings_of(&build, &text), [], "{profile}: {name}");
@@ -215,6 +219,8 @@ fn a_cut_that_cannot_be_made_is_refused_with_its_key() {
     for (profile, cut, code) in [
         ("generic", HOT.replace("-1 mm", "-0.3 mm"), "shallow-cut"),
         ("generic", KNIFE.replace("-0.8 mm", "0 mm"), "shallow-cut"),
+        (LASER_PROFILE, LASER.replace("11 mm", "30 mm"), "high-focus"),
+        (LASER_PROFILE, LASER.replace("10 mm/s", "0.1 mm/s"), "feed-floor"),
         ("grbl", HOT.replace("10 mm/s", "0.1 mm/s"), "feed-floor"),
         ("generic", format!("{KNIFE}[sheet]\nhole_diameter = \"0.9 mm\"\n"), "tight-cut"),
     ] {

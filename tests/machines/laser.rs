@@ -76,8 +76,8 @@ enum Place {
     End,
 }
 
-/// Place, code of the finding, and the lines that have it there.
-const ROWS: &[(Place, &str, &[&str])] = &[
+/// Lines that must not be in a program that welds by a laser.
+const ROWS: &[LineRow] = &[
     (Place::Head, "beam-at-rest", &["M4 S80", "M3 S1000", "M4 S0.5"]),
     (Place::Head, "beam-constant", &["M3", "M3 S0"]),
     (Place::Stop, "beam-at-rest", &["M4", "M4 S0", "M3", "M4 S80"]),
@@ -147,36 +147,89 @@ fn first(lines: &[&str], beginning: &str) -> usize {
     lines.iter().position(|line| line.starts_with(beginning)).expect("such a line")
 }
 
-/// The index before which a line is inserted at `place`.
-fn index(lines: &[&str], place: Place) -> usize {
+/// The index before which a line is inserted at `place`; `beam` is the S word of the seam.
+fn index(lines: &[&str], place: Place, beam: &str) -> usize {
     let armed = first(lines, "M4 S0");
     match place {
         Place::Head => first(lines, "G0 Z"),
         Place::Stop => first(lines, "M0"),
         Place::Travel => armed + first(&lines[armed..], "M5") + 1,
         Place::Armed => armed + 1,
-        Place::Seam => 2 + lines.iter().position(|line| line.ends_with(INNER)).expect("a beam"),
+        Place::Seam => 2 + lines.iter().position(|line| line.ends_with(beam)).expect("a beam"),
         Place::Wait => first(lines, "G4"),
         Place::End => lines.iter().rposition(|line| !line.starts_with(';')).expect("an end"),
     }
 }
 
-#[test]
-fn no_dangerous_line_is_proven() {
-    let build = built_on(profile(LASER_PROFILE));
-    let good = text(&build, SEAL);
+/// A row of lines: place, code of the finding, and the lines that have it there.
+type LineRow = (Place, &'static str, &'static [&'static str]);
+
+/// The number of lines in `rows`; each is found by its code where it is inserted into the program `file` of `build`, which seals or cuts with
+/// the S word `beam`.
+fn assert_found(build: &Built, file: &str, rows: &[LineRow], beam: &str) -> usize {
+    let good = text(build, file);
     let lines: Vec<&str> = good.lines().collect();
     let (mut number, mut unproven) = (0, Vec::new());
-    for &(place, code, dangers) in ROWS {
+    for &(place, code, dangers) in rows {
         for danger in dangers {
             number += 1;
             // What a line leaves behind is found at the next one.
-            let miss = missed(&build, SEAL, &lines, index(&lines, place), danger, code, 2);
+            let miss = missed(build, file, &lines, index(&lines, place, beam), danger, code, 2);
             unproven.extend(miss.map(|miss| format!("{place:?} {miss}")));
         }
     }
     assert!(unproven.is_empty(), "{unproven:#?}");
+    number
+}
+
+#[test]
+fn no_dangerous_line_is_proven() {
+    let number = assert_found(&built_on(profile(LASER_PROFILE)), SEAL, ROWS, INNER);
     assert!(number >= 80, "{number}");
+}
+
+/// A laser that cuts the sheet where it sealed it.
+const CUT: &str = "[seal]\npower = \"8 %\"\nspeed = \"10 mm/s\"\ntip = \"1 mm\"\n[cut]\nkerf = \"0.2 mm\"\ntool = \"laser\"\n\
+    power = \"60 %\"\nspeed = \"8 mm/s\"\nfocus = \"11 mm\"\n";
+const CUT_FILE: &str = "sheet-1-cut.gcode";
+
+/// Lines that must not be in a program that cuts by a laser.
+const CUT_ROWS: &[LineRow] = &[
+    (Place::Head, "beam-at-rest", &["M4 S600", "M3 S1000"]),
+    (Place::Stop, "beam-at-rest", &["M4", "M4 S0", "M3"]),
+    (Place::Travel, "beam-at-rest", &["M4 S600", "M3 S600"]),
+    (Place::Travel, "beam-in-travel", &["M4 S600\nG0 X10 Y10", "M4 S0\nG1 X10 Y10 F480 S600"]),
+    (Place::Armed, "beam-off-focus", &["G1 X20 Y20 Z12 F480 S600"]),
+    (Place::Seam, "beam-at-rest", &["G4 P1", "M0", "S600"]),
+    (Place::Seam, "beam-in-travel", &["G0 X1 Y1", "G0 Z13"]),
+    (Place::Seam, "wrong-power", &["G1 X40 Y40 S601", "G1 X40 Y40 S80", "S1200", "M5\nG1 X40 Y40"]),
+    (Place::Seam, "beam-constant", &["M3", "M3 S600"]),
+    (Place::Seam, "beam-at-end", &["M2", "M30"]),
+    (Place::Seam, "too-deep", &["G1 Z5 F100"]),
+    (Place::Seam, "unknown-word", &["M6", "T1", "M7", "G92 X0", "G53", "M67 E0 Q50"]),
+    (Place::End, "beam-at-end", &["M4", "M4 S600"]),
+];
+
+#[test]
+fn a_laser_cuts_the_outline_and_nothing_else_for_every_controller_that_drives_one() {
+    for dialect in ["grbl", "grblhal", "fluidnc"] {
+        let request = KindRequest::exactly(&[Kind::CutGcode]);
+        let build = try_built_with(&spec_text(CUT), &profile_of(dialect), &request)
+            .unwrap_or_else(|refusals| panic!("{refusals:?}"));
+        assert_eq!(read_back(&build.output_files()).findings, [], "{dialect}");
+        let code = text(&build, CUT_FILE);
+        assert!(code.contains("\n; cutting: tool=laser power_percent=60\n"), "{dialect}");
+        assert!(code.contains("focus_mm=11") && code.contains("; safety: goggles"), "{dialect}");
+        assert_eq!(code.matches("M4 S0\n").count(), code.matches("; cut: cut=").count(), "{dialect}");
+        let number = assert_found(&build, CUT_FILE, CUT_ROWS, " S600");
+        assert!(number >= 30, "{number}");
+        // The second clock: the tool is never faster than told, and its total is right.
+        let (program, motors) = (Text::read(&code), Motors { acceleration: 500.0, steps_per_mm: 80.0 });
+        let controller = if dialect == "grbl" { LASER_PROFILE } else { dialect };
+        let track = run(controller, &program, motors);
+        let total = program.fact("total.time_s").expect("a time");
+        assert!((track.now / total - 1.0).abs() <= TOTAL, "{dialect}: {} of {total} s", track.now);
+    }
 }
 
 /// Lines of the program that are changed or left out.

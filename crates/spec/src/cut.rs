@@ -2,9 +2,10 @@
 
 use crate::allowed::{Allowed, EXTRA};
 use crate::fault::Fault;
+use crate::laser::{CUT_BY_LASER, POWERS, read_focus};
 use crate::seal::read_height;
 use crate::section::Section;
-use crate::units::{Duration, Length, Speed, Temperature};
+use crate::units::{Duration, Length, Percent, Speed, Temperature};
 use crate::{Colours, FaultCode, FeedFloor, MachineChoice, Seal, SealPause, Spec};
 
 /// Speeds of a cut, mm/s.
@@ -32,7 +33,7 @@ pub struct CutProcess {
     pub tool: CutTool,
     /// Speed of the tool along the cut.
     pub speed: Speed,
-    /// Height of the tool's tip while it cuts; 0 is the top of the release layer.
+    /// Height of the tool's tip while it cuts, or of a laser's lens at its focus; 0 is the top of the release layer.
     pub height: Length,
 }
 
@@ -49,6 +50,11 @@ pub enum CutTool {
         /// Distance from the axis to the tip of the blade.
         blade_offset: Length,
     },
+    /// The laser that sealed before, with more power.
+    Laser {
+        /// Part of full power.
+        power: Percent,
+    },
 }
 
 impl CutTool {
@@ -57,6 +63,7 @@ impl CutTool {
         match self {
             Self::HotTip { .. } => ToolWord::HotTip.name(),
             Self::DragKnife { .. } => ToolWord::DragKnife.name(),
+            Self::Laser { .. } => ToolWord::Laser.name(),
         }
     }
 
@@ -65,6 +72,7 @@ impl CutTool {
         match self {
             Self::HotTip { .. } => "hot tip",
             Self::DragKnife { .. } => "drag knife",
+            Self::Laser { .. } => "laser",
         }
     }
 
@@ -72,14 +80,22 @@ impl CutTool {
     pub fn temperature(self) -> Option<Temperature> {
         match self {
             Self::HotTip { temperature } => Some(temperature),
-            Self::DragKnife { .. } => None,
+            Self::DragKnife { .. } | Self::Laser { .. } => None,
+        }
+    }
+
+    /// The power of a laser; `None` of another tool.
+    pub fn power(self) -> Option<Percent> {
+        match self {
+            Self::Laser { power } => Some(power),
+            Self::HotTip { .. } | Self::DragKnife { .. } => None,
         }
     }
 
     /// Distance from the tool's axis to the point that cuts.
     pub fn blade_offset(self) -> Length {
         match self {
-            Self::HotTip { .. } => Length(0.0),
+            Self::HotTip { .. } | Self::Laser { .. } => Length(0.0),
             Self::DragKnife { blade_offset } => blade_offset,
         }
     }
@@ -92,7 +108,7 @@ impl Spec {
     pub fn cut_by(&self, process: &CutProcess) -> Self {
         let seal = Seal {
             temperature: process.tool.temperature().unwrap_or(Temperature(0.0)),
-            power: None,
+            power: process.tool.power(),
             speed: process.speed,
             height: Some(process.height),
             passes: 1,
@@ -123,17 +139,33 @@ pub(super) fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
 enum ToolWord {
     HotTip,
     DragKnife,
+    Laser,
 }
 
 impl ToolWord {
-    const ALL: [(&'static str, Self); 2] =
-        [(Self::HotTip.name(), Self::HotTip), (Self::DragKnife.name(), Self::DragKnife)];
+    const ALL: [(&'static str, Self); 3] = [
+        (Self::HotTip.name(), Self::HotTip),
+        (Self::DragKnife.name(), Self::DragKnife),
+        (Self::Laser.name(), Self::Laser),
+    ];
 
     /// The word in specs and programs.
     const fn name(self) -> &'static str {
         match self {
             Self::HotTip => "hot-tip",
             Self::DragKnife => "drag-knife",
+            Self::Laser => CUT_BY_LASER,
+        }
+    }
+
+    /// The keys of the tool's settings, each with an example.
+    const fn settings(self) -> [(&'static str, &'static str); 3] {
+        match self {
+            Self::HotTip => [("temperature", "\"350 C\""), ("speed", "\"5 mm/s\""), ("height", "\"-1 mm\"")],
+            Self::DragKnife => {
+                [("blade_offset", "\"0.25 mm\""), ("speed", "\"20 mm/s\""), ("height", "\"-1 mm\"")]
+            }
+            Self::Laser => [("power", "\"60 %\""), ("speed", "\"10 mm/s\""), ("focus", "\"12 mm\"")],
         }
     }
 }
@@ -146,21 +178,15 @@ fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
     let speed = s.quantity("speed", SPEEDS);
     let height = read_height(s);
     let blade_offset = s.quantity("blade_offset", OFFSETS);
-    let settings: &[(&str, &str)] = match word {
-        Some(ToolWord::HotTip) => {
-            &[("temperature", "\"350 C\""), ("speed", "\"5 mm/s\""), ("height", "\"-1 mm\"")]
-        }
-        Some(ToolWord::DragKnife) => {
-            &[("blade_offset", "\"0.25 mm\""), ("speed", "\"20 mm/s\""), ("height", "\"-1 mm\"")]
-        }
-        None => &[],
-    };
+    let power = s.quantity("power", POWERS);
+    let focus = read_focus(s);
+    let settings = word.map_or_else(Vec::new, |word| word.settings().to_vec());
     for (key, example) in settings.iter().filter(|(key, _)| !s.contains(key)).copied().collect::<Vec<_>>() {
         let message = format!("`tool` in [cut] without `{key}`");
         let fault = Fault::error(FaultCode::MissingKey, s.place_of("tool"), message);
         s.report(fault.label("the tool needs it").help(format!("for example {key} = {example}")));
     }
-    for key in ["temperature", "speed", "height", "blade_offset"] {
+    for key in ["temperature", "speed", "height", "blade_offset", "power", "focus"] {
         let is_other = s.contains(key) && !settings.iter().any(|(setting, _)| *setting == key);
         if is_other && (word.is_some() || !s.contains("tool")) {
             let tool = word
@@ -170,12 +196,12 @@ fn read_process(s: &mut Section<'_, '_>) -> Option<CutProcess> {
             s.report(fault.label("it would have no effect").help("delete it, or write another `tool`"));
         }
     }
-    let (speed, height) = (speed?, height?);
-    let tool = match word? {
-        ToolWord::HotTip => CutTool::HotTip { temperature: temperature? },
-        ToolWord::DragKnife => CutTool::DragKnife { blade_offset: blade_offset? },
+    let (tool, height) = match word? {
+        ToolWord::HotTip => (CutTool::HotTip { temperature: temperature? }, height?),
+        ToolWord::DragKnife => (CutTool::DragKnife { blade_offset: blade_offset? }, height?),
+        ToolWord::Laser => (CutTool::Laser { power: power? }, focus?),
     };
-    Some(CutProcess { tool, speed, height })
+    Some(CutProcess { tool, speed: speed?, height })
 }
 
 #[cfg(test)]

@@ -133,7 +133,7 @@ keys! {
     }
     cut "cut" {
         KERF "kerf", COLOURS "colours", TOOL "tool", TEMPERATURE "temperature", SPEED "speed", HEIGHT "height",
-        BLADE_OFFSET "blade_offset",
+        BLADE_OFFSET "blade_offset", POWER "power", FOCUS "focus",
     }
     sheet "sheet" {
         WIDTH "width", HEIGHT "height", COPIES "copies", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",

@@ -24,6 +24,9 @@ pub const POWERS: Allowed = Allowed::half_open(0.0, 100.0);
 /// Heights of a laser's focus above the sheet, mm.
 pub const FOCUSES: Allowed = Allowed::half_open(0.0, 500.0);
 
+/// The word of a laser that cuts, in `[cut]`.
+pub(super) const CUT_BY_LASER: &str = "laser";
+
 /// Reads `focus`, in whole micrometres as other heights.
 pub(super) fn read_focus(s: &mut Section<'_, '_>) -> Option<Length> {
     s.quantity("focus", FOCUSES).map(|Length(mm)| Length(to_micrometres(mm)))
@@ -36,10 +39,11 @@ pub fn seals_by_laser(source: &Source) -> bool {
 }
 
 /// Keys outside of processes that a spec for a laser does not have: section, key, and the remedy.
-const OF_IRONS: [(&str, &str, &str); 2] = [
-    ("machine", "feed_floor", "strokes and dwells would burn holes: write a `speed` that the machine holds"),
-    ("cut", "tool", "it would take the place of the laser: cut along the outline drawings"),
-];
+const OF_IRONS: [(&str, &str, &str); 1] = [(
+    "machine",
+    "feed_floor",
+    "strokes and dwells would burn holes: write a `speed` that the machine holds",
+)];
 
 /// Keys that neither `[seal]` nor a process has for a laser, with the remedy.
 const OF_IRON_PROCESSES: [(&str, &str); 2] = [
@@ -68,6 +72,13 @@ pub(super) fn faults(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         let place = place_of(raw, section, key);
         faults.extend(place.map(|place| of_iron(place, &format!("`{key}` in [{section}]"), remedy)));
     }
+    if let Some(place) = place_of(raw, "cut", "tool").filter(|_| !cuts_by_laser(raw)) {
+        faults.push(of_iron(
+            place,
+            "this `tool` in [cut]",
+            "write tool = \"laser\": nothing takes its place",
+        ));
+    }
     let seal = raw.root().get("seal").and_then(RawValue::as_table).map(|seal| ("seal".to_owned(), seal));
     for (section, process) in seal.into_iter().chain(processes(raw)) {
         for (key, remedy) in OF_IRON_PROCESSES {
@@ -94,7 +105,9 @@ fn without_power(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         return vec![fault.help(help)];
     }
     let focus = place_of(raw, "seal", "focus").map(|place| ("seal".to_owned(), "focus", place));
+    let tool = place_of(raw, "cut", "tool").filter(|_| cuts_by_laser(raw));
     let mut keys_of_lasers: Vec<(String, &str, Range<usize>)> = focus.into_iter().collect();
+    keys_of_lasers.extend(tool.map(|place| ("cut".to_owned(), "tool", place)));
     for (section, process) in processes(raw) {
         let places = ["power", "focus"].into_iter().filter_map(|key| Some((key, place_in(process, key)?)));
         keys_of_lasers.extend(places.map(|(key, place)| (section.clone(), key, place)));
@@ -105,6 +118,12 @@ fn without_power(raw: &RawSpec, profile: &str) -> Vec<Fault> {
         fault.help("write `power` into [seal], too, for a laser; or delete it")
     };
     keys_of_lasers.into_iter().map(fault).collect()
+}
+
+/// Whether the tool in `[cut]` is a laser.
+fn cuts_by_laser(raw: &RawSpec) -> bool {
+    let cut = raw.root().get("cut").and_then(RawValue::as_table);
+    cut.and_then(|cut| cut.get("tool")).and_then(RawValue::as_text) == Some(CUT_BY_LASER)
 }
 
 /// The place of `key` in `section`, if it is written.
@@ -208,6 +227,10 @@ mod tests {
         let cut =
             "[cut]\ntool = \"hot-tip\"\ntemperature = \"350 C\"\nspeed = \"5 mm/s\"\nheight = \"-1 mm\"\n";
         let faults = reading(&format!("{SEAL}{MACHINE}{cut}")).expect_err("a tool");
-        assert!(faults.to_string().contains("cut along the outline drawings"), "{faults}");
+        assert!(faults.to_string().contains("write tool = \"laser\""), "{faults}");
+        let laser = "[cut]\ntool = \"laser\"\npower = \"60 %\"\nspeed = \"10 mm/s\"\nfocus = \"12 mm\"\n";
+        assert!(reading(&format!("{SEAL}{MACHINE}{laser}")).is_ok());
+        let faults = reading(laser).expect_err("no power in [seal]");
+        assert!(faults.to_string().contains("write `power` into [seal], too"), "{faults}");
     }
 }

@@ -47,6 +47,9 @@ focus = "12 mm"  # height of a laser's focus above the sheet, in place of `heigh
 [process.weak]
 power = "8 %"  # of a laser, in place of `temperature`
 focus = "12 mm"  # height of a laser's focus above the sheet, in place of `height`
+[cut]
+power = "60 %"  # of a laser that cuts, as a part of its full power, in place of `temperature`
+focus = "12 mm"  # height of a laser's focus above the sheet while it cuts, in place of `height`
 # A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]
 file = "outline.svg"  # SVG or ASCII DXF, beside this file

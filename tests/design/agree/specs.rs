@@ -134,7 +134,7 @@ pub(super) fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     text + &machine.text
 }
 
-/// The spec `text` of an iron for a laser: powers take the place of temperatures and heights, and no tool cuts.
+/// The spec `text` of an iron for a laser: powers take the place of temperatures and heights, and a laser alone cuts.
 fn for_laser(dice: &mut Dice, text: &str) -> String {
     let (mut lasered, mut section) = (String::new(), String::new());
     let band = text.split_once("\nband = \"").and_then(|(_, rest)| rest.split_once(" mm")?.0.parse().ok());
@@ -155,6 +155,14 @@ fn for_laser(dice: &mut Dice, text: &str) -> String {
         };
         if !is_of_iron {
             let _ = writeln!(lasered, "{line}");
+        }
+        if line == "[cut]" && dice.chance(0.3) {
+            let (power, speed, focus) =
+                (dice.uniform(1.0, 100.0), dice.decades(1.0, 100.0), dice.uniform(3.0, 14.0));
+            let _ = writeln!(
+                lasered,
+                "tool = \"laser\"\npower = \"{power} %\"\nspeed = \"{speed} mm/s\"\nfocus = \"{focus} mm\""
+            );
         }
         if line == "[seal]" {
             let mut keys = Section { text: String::new() };

@@ -107,6 +107,7 @@ pub(super) fn tool_facts(tool: CutTool) -> String {
         CutTool::DragKnife { blade_offset } => {
             format!("tool={word} blade_offset_mm={}", number(blade_offset.0))
         }
+        CutTool::Laser { power } => format!("tool={word} power_percent={}", number(power.0)),
     }
 }
 

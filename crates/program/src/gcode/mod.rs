@@ -21,7 +21,7 @@ use crate::number::{Decimals, number};
 use crate::plan::{Clock, Pace, Pacer, PauseReason, Program, Purpose, Step, height_of};
 use geom::{Point, Segment};
 use spec::units::{Duration, Readable, Temperature};
-use spec::{Dialect, Heating, Machine, Spec};
+use spec::{CutTool, Dialect, Heating, Machine, Spec};
 
 pub use feed_check::{FEED_CHECK_TITLE, feed_check};
 pub use thumbnail::Thumbnail;
@@ -71,6 +71,9 @@ pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, start: Point) ->
 /// Difference between the temperature of a heater with a name and the one that the program waits for, in degrees Celsius: a heater that
 /// swings about its target would else be waited for too long.
 const HEATER_SLACK: f64 = 2.0;
+
+/// The operator's tasks before a laser comes on.
+const ARM_BEAM: &str = "goggles on, enclosure closed, fumes drawn off, press start";
 
 /// The way through a program's steps.
 struct Job<'a> {
@@ -209,7 +212,7 @@ impl<'a> Job<'a> {
             }
             PauseReason::Beam => {
                 self.writer.comment("beam: armed_by=operator");
-                self.writer.comment("goggles on, enclosure closed, fumes drawn off, press start");
+                self.writer.comment(ARM_BEAM);
             }
             PauseReason::Mark { number: index, place } => {
                 let [x, y] = [place.x, place.y].map(number);
@@ -219,9 +222,14 @@ impl<'a> Job<'a> {
             }
             PauseReason::Tool(tool) => {
                 self.writer.comment(&format!("tool: {}", tool_facts(tool)));
-                self.writer.comment("take the release layer off, keep the sheet where it is");
-                let tool = tool.in_words();
-                self.writer.comment(&format!("the {tool} in, X Y as before, its tip at Z0, press start"));
+                if matches!(tool, CutTool::Laser { .. }) {
+                    self.writer.comment("keep the sheet where it is, nothing that burns under it");
+                    self.writer.comment(ARM_BEAM);
+                } else {
+                    self.writer.comment("take the release layer off, keep the sheet where it is");
+                    let tool = tool.in_words();
+                    self.writer.comment(&format!("the {tool} in, X Y as before, its tip at Z0, press start"));
+                }
             }
         }
         if let Some(run) = &self.whole {

@@ -3,6 +3,7 @@
 use crate::plan::blade::axis_paths;
 use crate::plan::job_size::too_long;
 use crate::plan::keep_out::clamps_in_the_way;
+use crate::plan::laser::high_focus;
 use crate::plan::lowest_feed::lowest_of;
 use crate::plan::program::{PauseReason, SeamList, lowest_contact};
 use crate::plan::ramps::too_steep;
@@ -14,7 +15,7 @@ use design::{Design, PlacedPart, Refusal, RefusalCode, Refusals, SealContact, Se
 use geom::{Arc, Path, Point, Segment};
 use sealed::LaidSeam;
 use spec::units::{Least, Readable};
-use spec::{CutProcess, Machine, Spec, key};
+use spec::{CutProcess, CutTool, Machine, Spec, key};
 
 /// Smallest radius that a drag knife follows, mm: in a tighter bend the blade tears the fabric instead of turning.
 const TIGHTEST: f64 = 0.5;
@@ -78,6 +79,8 @@ pub fn cut_refusals(
     let mut refusals: Refusals = shallow(machine, process, seals).into_iter().collect();
     refusals.extend(slow(machine, process, cuts));
     refusals.extend(tight(cut_spec, machine, design, process));
+    let high = high_focus(cut_spec, machine, cuts).into_iter();
+    refusals.extend(high.map(|refusal| Refusal { key: key::cut::FOCUS, ..refusal }));
     refusals.extend(contradictions(cut_spec, machine, cuts));
     refusals.extend(too_steep(cut_spec, machine, cuts));
     refusals.extend(clamps_in_the_way(cut_spec, machine, cuts, &[]));
@@ -86,8 +89,11 @@ pub fn cut_refusals(
     refusals
 }
 
-/// The refusal of a cut that is no deeper than a seal: it would seal where it should cut.
+/// The refusal of a cut that is no deeper than a seal: it would seal where it should cut. A laser goes no deeper.
 fn shallow(machine: &Machine, process: CutProcess, seals: &[Program]) -> Option<Refusal> {
+    if matches!(process.tool, CutTool::Laser { .. }) {
+        return None;
+    }
     let lowest = lowest_contact(machine, seals)?;
     (process.height >= lowest).then(|| {
         Refusal::new(

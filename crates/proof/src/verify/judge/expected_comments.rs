@@ -116,6 +116,7 @@ fn cutting(task: &ProgramTask<'_>, tool: CutTool, comments: &mut Vec<String>) {
     let tool = match tool {
         CutTool::HotTip { temperature } => format!("tool={word} temperature_C={}", temperature.0),
         CutTool::DragKnife { blade_offset } => format!("tool={word} blade_offset_mm={}", blade_offset.0),
+        CutTool::Laser { power } => format!("tool={word} power_percent={}", power.0),
     };
     comments.extend([format!("cutting: speed_mm_s={v} height_mm={z}"), format!("cutting: {tool}")]);
     machine(task, comments);
