@@ -9,7 +9,7 @@ use crate::cli::escape::{argument, escaped_line};
 use crate::cli::failure::{Failure, say};
 use crate::cli::source_file::read_source;
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
-use program::plan::{actual_speed, laser_settings};
+use program::plan::{actual_speed, homing_by_hand, laser_settings};
 use spec::units::Least;
 use spec::{Machine, Motion, SealingTool, StepRate};
 
@@ -87,7 +87,8 @@ fn check(path: &Path, verbosity: Verbosity) -> Result<(), Failure> {
     }
     let laser = machine.controller.laser;
     let settings = laser.map(|drive| laser_settings(&machine.controller, drive)).into_iter().flatten();
-    let tasks: Vec<String> = settings.chain(machine.script.requires.iter().cloned()).collect();
+    let homing = homing_by_hand(&machine).map(str::to_owned);
+    let tasks: Vec<String> = settings.chain(homing).chain(machine.script.requires.iter().cloned()).collect();
     for task in &tasks {
         let _ = writeln!(text, "before every job: {}", escaped_line(task));
     }

@@ -8,7 +8,9 @@ use design::{PressPlan, SheetLayout};
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
 use forecast::warning::{PredictionWarning, WarningCode};
-use program::plan::{Chop, LASER_SAFETY, MEAN_TOLERANCE, Pace, Program, laser_settings, other_version};
+use program::plan::{
+    Chop, LASER_SAFETY, MEAN_TOLERANCE, Pace, Program, homing_by_hand, laser_settings, other_version,
+};
 use spec::units::{Readable, Speed};
 use spec::{CutTool, Machine, Marks, SealingTool};
 
@@ -68,7 +70,9 @@ impl Forecast {
         list.extend(laser(self, interface));
         list.extend(speed(self, interface));
         let requires = self.machine.script.requires.iter();
-        list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
+        let homing = homing_by_hand(&self.machine).map(str::to_owned);
+        let tasks = homing.into_iter().chain(requires.cloned());
+        list.extend(tasks.map(|text| Precaution::new(PrecautionCode::MachineRequires, text)));
         list.extend(version(self));
         if self.machine.bench.work_area.is_none() {
             let text = format!(

@@ -132,6 +132,20 @@ fn a_contact_below_zero_needs_its_endstops_off() {
     assert_eq!(codes("0 mm", ""), Ok(()));
 }
 
+/// Coordinates of a machine that homes mean nothing before it has homed.
+#[test]
+fn a_placed_sheet_needs_a_machine_that_is_homed() {
+    const BY_HAND: &str = "; requires: X, Y and Z homed first";
+    let by_hand = built_for("ender", &changed("ender", "\"G28\", ", ""));
+    assert_eq!(read_back(&by_hand.output_files()).findings, []);
+    assert!(text(&by_hand, SEAL).contains(BY_HAND));
+    for name in PRINTERS {
+        assert!(!text(&built_for(name, profile(name)), SEAL).contains(BY_HAND), "{name}");
+    }
+    // The operator of a machine without a place sets Z 0 on the sheet.
+    assert!(!text(&built_for("grbl", profile("grbl")), SEAL).contains(BY_HAND));
+}
+
 #[test]
 fn heaters_have_numbers_and_names() {
     let second = changed("ender", "heating = \"hotend\"", "heating = \"hotend 1\"").replacen(

@@ -4,7 +4,7 @@ use crate::gcode::writer::{Facts, Writer};
 use crate::number::number;
 use crate::plan::{
     LASER_SAFETY, Pace, PacedProcess, PauseReason, Program, Purpose, SeamReport, Step, Stepper,
-    laser_settings,
+    homing_by_hand, laser_settings,
 };
 use sealed::scope;
 use spec::{CutTool, DwellUnit, Machine, Seal, ZLimits};
@@ -206,6 +206,9 @@ fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
         }
     }
     laser_conditions(writer, machine);
+    if let Some(line) = homing_by_hand(machine) {
+        writer.requirement(&format!("requires: {line}"));
+    }
     for line in &machine.script.requires {
         writer.requirement(&format!("requires: {line}"));
     }

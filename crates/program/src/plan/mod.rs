@@ -51,7 +51,7 @@ pub use program::{
     Height, PacedProcess, PauseReason, Program, Purpose, Ramp, SeamList, SeamReport, Step, distinct_processes,
 };
 pub use reach::refusal_beyond;
-pub use refusals::refusals;
+pub use refusals::{homing_by_hand, refusals};
 pub use seal::{seal_program, seal_programs};
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};

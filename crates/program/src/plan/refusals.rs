@@ -70,6 +70,13 @@ fn clamped_contacts(machine: &Machine, programs: &[Program]) -> Option<Refusal> 
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::ClampedContact, fault, remedy))
 }
 
+/// The task of the operator of `machine` whose programs count in the coordinates of a machine that homes, and do not home it: an axis
+/// that is not homed goes elsewhere, and may press the tip into the bed.
+pub fn homing_by_hand(machine: &Machine) -> Option<&'static str> {
+    let is_homed = machine.script.homes() || machine.controller.place.is_origin();
+    (!is_homed).then_some("X, Y and Z homed first: the program does not home them")
+}
+
 /// A longer time without a move than any job has, s: a day.
 const DAY: f64 = 86400.0;
 
