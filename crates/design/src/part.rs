@@ -8,7 +8,7 @@ use crate::{
     Star,
 };
 use geom::{Bounds, Path};
-use sealed::{Port, SealedShape};
+use sealed::{Port, SealedShape, Seam};
 use spec::units::Length;
 use spec::{SealProcess, Spec, StarSpec, key};
 
@@ -68,18 +68,12 @@ impl StarDesign {
         let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
         let mut refusals = Refusals::new();
         let processes = [&star_spec.inner_process, &star_spec.outer_process].map(|name| spec.process(name));
-        let inner = refusals.keep(
-            star_seam(&star, Side::Hole, None, &processes[0].seal)
-                .map_err(|refusal| of_process(spec, &processes[0], refusal)),
-        );
+        let inner = refusals.keep(star_loop(spec, &star, Side::Hole, None, &processes[0]));
         // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
         let hole_diameter = spec.sheet.hole_diameter.0;
         let outline =
             refusals.keep(Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, hole_diameter));
-        let outer = refusals.keep(
-            star_seam(&star, Side::Outside, channel.as_ref(), &processes[1].seal)
-                .map_err(|refusal| of_process(spec, &processes[1], refusal)),
-        );
+        let outer = refusals.keep(star_loop(spec, &star, Side::Outside, channel.as_ref(), &processes[1]));
         let loops = [&inner, &outer].into_iter().zip(&processes);
         let seam_lines: Vec<SeamLines> = loops
             .filter_map(|(seam, process)| refusals.keep(SeamLines::new(seam.as_ref()?, process)))
@@ -181,14 +175,23 @@ fn realised(r: f64, phi: f64, band: f64) -> Realised {
     Realised { radius: realised_radius(r, band), cusp: shortage * (1.0 / libm::sin(phi / 2.0) - 1.0) }
 }
 
-/// `refusal` of the loop that `process` seals, at the key of the process where its overlap is not that of `[seal]`.
-fn of_process(spec: &Spec, process: &SealProcess, refusal: Refusal) -> Refusal {
-    let place = spec.processes.iter().position(|other| other.name == process.name);
-    let has_overlap = process.seal.overlap != spec.seal.overlap;
-    match place.filter(|_| has_overlap && refusal.key == key::seal::OVERLAP) {
-        Some(place) => Refusal { key: key::process::OVERLAP.of_process(place), ..refusal },
-        None => refusal,
-    }
+/// The seam of `star` on `side`, which `process` seals. A refusal of its overlap is at the key of the process, if that is where it differs
+/// from `[seal]`.
+fn star_loop(
+    spec: &Spec,
+    star: &Star,
+    side: Side,
+    channel: Option<&Channel>,
+    process: &SealProcess,
+) -> Result<Seam, Refusal> {
+    star_seam(star, side, channel, &process.seal).map_err(|refusal| {
+        let place = spec.processes.iter().position(|other| other.name == process.name);
+        let has_overlap = process.seal.overlap != spec.seal.overlap;
+        match place.filter(|_| has_overlap && refusal.key == key::seal::OVERLAP) {
+            Some(place) => Refusal { key: key::process::OVERLAP.of_process(place), ..refusal },
+            None => refusal,
+        }
+    })
 }
 
 /// The tube's two edges, concave hinges and fillets at least `least_radius` round.

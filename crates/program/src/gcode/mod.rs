@@ -75,6 +75,19 @@ const HEATER_SLACK: f64 = 2.0;
 /// The operator's tasks before a laser comes on.
 const ARM_BEAM: &str = "goggles on, enclosure closed, fumes drawn off, press start";
 
+/// The operator's tasks before `tool` cuts.
+fn tool_tasks(tool: CutTool) -> [String; 2] {
+    match tool {
+        CutTool::Laser { .. } => {
+            ["keep the sheet where it is, nothing that burns under it", ARM_BEAM].map(str::to_owned)
+        }
+        CutTool::HotTip { .. } | CutTool::DragKnife { .. } => [
+            "take the release layer off, keep the sheet where it is".to_owned(),
+            format!("the {} in, X Y as before, its tip at Z0, press start", tool.in_words()),
+        ],
+    }
+}
+
 /// The way through a program's steps.
 struct Job<'a> {
     writer: Writer<'a>,
@@ -222,13 +235,8 @@ impl<'a> Job<'a> {
             }
             PauseReason::Tool(tool) => {
                 self.writer.comment(&format!("tool: {}", tool_facts(tool)));
-                if matches!(tool, CutTool::Laser { .. }) {
-                    self.writer.comment("keep the sheet where it is, nothing that burns under it");
-                    self.writer.comment(ARM_BEAM);
-                } else {
-                    self.writer.comment("take the release layer off, keep the sheet where it is");
-                    let tool = tool.in_words();
-                    self.writer.comment(&format!("the {tool} in, X Y as before, its tip at Z0, press start"));
+                for task in tool_tasks(tool) {
+                    self.writer.comment(&task);
                 }
             }
         }
