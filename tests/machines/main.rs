@@ -8,6 +8,7 @@ mod coupons;
 mod danger;
 mod dangerous_lines;
 mod dialects;
+mod disorder;
 mod drawings;
 mod every_machine;
 mod faults;
