@@ -64,15 +64,15 @@ fn is_low(line: &str) -> bool {
     ["G0 Z5", "G0 Z6"].iter().any(|start| line.starts_with(start))
 }
 
-/// The place of the first line of code that is `wanted`.
-fn place(lines: &[String], wanted: fn(&str) -> bool) -> usize {
-    lines.iter().position(|line| is_code(line) && wanted(line)).expect("such a line")
+/// The place of the first line of code that `is_sought`.
+fn place(lines: &[String], is_sought: fn(&str) -> bool) -> usize {
+    lines.iter().position(|line| is_code(line) && is_sought(line)).expect("such a line")
 }
 
-/// Moves the first line that is `moved` to before the first one that is `goal`, or `after` lines behind that place.
-fn shift(lines: &mut Vec<String>, moved: fn(&str) -> bool, goal: fn(&str) -> bool, after: usize) {
+/// Moves the first line that is `moved` to before the first one that is `goal`, or `offset` lines behind that place.
+fn shift(lines: &mut Vec<String>, moved: fn(&str) -> bool, goal: fn(&str) -> bool, offset: usize) {
     let line = lines.remove(place(lines, moved));
-    let goal = place(lines, goal) + after;
+    let goal = place(lines, goal) + offset;
     lines.insert(goal, line);
 }
 
