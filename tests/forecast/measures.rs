@@ -1,6 +1,6 @@
 //! Measures of a drawing, and chambers at pressures of their own.
 
-use stargrip_cam::design::{Design, DrawnPieces};
+use stargrip_cam::design::{Design, DrawnPieces, Refusals};
 use stargrip_cam::forecast::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use stargrip_cam::forecast::drawn::text::text;
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
@@ -9,7 +9,7 @@ use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::units::Length;
-use stargrip_cam::spec::{Machine, Source, Spec, read};
+use stargrip_cam::spec::{Machine, MeasuredFigure, Source, Spec, WrittenMeasure, read};
 
 /// A spec and the pieces of its drawing.
 struct Drawn {
@@ -40,10 +40,13 @@ fn drawing(air: &str, ports: &str, measures: &str, kilopascals: &str) -> Drawn {
     );
     let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(svg.as_bytes()).spec;
-    let design = Design::new(&spec, &Machine::builtin("generic").expect("built in"))
-        .unwrap_or_else(|refusals| panic!("{refusals}"));
-    let pieces = design.drawn_pieces().expect("a drawing").clone();
+    let pieces = pieces_of(&spec).unwrap_or_else(|refusals| panic!("{refusals}"));
     Drawn { spec, pieces }
+}
+
+fn pieces_of(spec: &Spec) -> Result<DrawnPieces, Refusals> {
+    let design = Design::new(spec, &Machine::builtin("generic").expect("built in"))?;
+    Ok(design.drawn_pieces().expect("a drawing").clone())
 }
 
 fn inflated(Drawn { spec, pieces }: &Drawn) -> InflatedDrawing {
@@ -156,6 +159,33 @@ fn measures_lie_in_one_chamber() {
     ] {
         let fault = flat_measure(measure).expect_err("refused");
         assert!(fault.what.contains(word) && fault.remedy.is_some(), "{fault}");
+    }
+}
+
+/// A measure of the spec lies on its points, on an element, or on a seam; a name of two elements, or of nothing, is refused.
+#[test]
+fn a_spec_measures_what_it_names() {
+    let Drawn { mut spec, pieces } = pouches("", "1");
+    let seam = &pieces.pieces[1].shape.seams[0];
+    let mut measured = |figure: MeasuredFigure| {
+        let measure = WrittenMeasure { name: "span".to_owned(), figure };
+        spec.drawing.as_mut().expect("a drawing").measures = vec![measure];
+        let flat =
+            of_spec(&spec, &pieces_of(&spec).map_err(|refusals| refusals.to_string())?, &Watch::default());
+        Ok::<_, String>(flat.expect("flat").prediction.measures[0].clone())
+    };
+    let line = [[30.0, 80.0], [70.0, 80.0]].map(|point| point.map(Length)).to_vec();
+    let span = measured(MeasuredFigure::Points(line)).expect("in one chamber");
+    assert_eq!((span.measure.as_str(), span.distance_mm.map(|distance| distance.flat)), ("span", Some(40.0)));
+    let of_seam = measured(MeasuredFigure::Named(seam.name.clone())).expect("a seam");
+    assert_eq!(
+        (of_seam.chamber, of_seam.x_mm.map(|place| place.flat)),
+        (2, Some(130.0)),
+        "the middle of a closed seam"
+    );
+    for (name, words) in [("a", "the name of 2 elements"), ("spam", "nothing called \"spam\"")] {
+        let refusal = measured(MeasuredFigure::Named(name.to_owned())).expect_err("refused");
+        assert!(refusal.contains(words), "{refusal}");
     }
 }
 

@@ -87,6 +87,7 @@ codes! {
         TooLarge "too-large" "The star is larger than 200 m; widen the tips or shrink it.",
         TubeBetweenPlates "tube-between-plates" "The inflated tube does not fit between its plates; make pitch larger.",
         UnknownLayer "unknown-layer" "A role names a layer that the drawing does not have; write the one suggested.",
+        UnknownMeasure "unknown-measure" "A measure names what the drawing does not have, or has more than once; write the one suggested.",
         UnreadableDrawing "unreadable-drawing" "The file of the drawing cannot be read as SVG or DXF; see the place and the remedy shown.",
         WallOutside "wall-outside" "A curve of a drawing is not the border of any chamber; remove it, or give it another role.",
         WideFrame "wide-frame" "A warning: the plates are more than four inflated tubes apart; make pitch smaller.",

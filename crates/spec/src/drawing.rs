@@ -7,6 +7,7 @@ use std::sync::{Arc, OnceLock};
 use crate::FaultCode;
 use crate::allowed::Allowed;
 use crate::fault::{Fault, quoted};
+use crate::measure::{WrittenMeasure, read_measures};
 use crate::section::{Reader, Section};
 use crate::shape::ValueShape;
 use crate::units::Length;
@@ -36,6 +37,8 @@ pub struct DrawingSpec {
     pub layers: Vec<(String, LayerRole)>,
     /// Names of layers, elements, roles or seams, each with the process by which its seams are made.
     pub processes: Vec<(String, String)>,
+    /// What is measured after inflation, beside the figures of the role `measure`.
+    pub measures: Vec<WrittenMeasure>,
     /// The content of the file; `None` until it is read.
     pub content: Option<DrawingContent>,
 }
@@ -248,6 +251,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
     let flange = s.length("flange", Allowed::closed(0.1, 1000.0), FLANGE);
     let layers = read_layers(s);
     let processes = read_seam_processes(s);
+    let measures = read_measures(s);
     s.is_written().then(|| DrawingSpec {
         file: file.unwrap_or_default(),
         units,
@@ -256,6 +260,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
         flange,
         layers,
         processes,
+        measures,
         content: None,
     })
 }

@@ -110,7 +110,7 @@ keys! {
         OUTER_PROCESS "outer_process",
     }
     stack "stack" { COUNT "count", ROTATION "rotation", PITCH "pitch", STAR "star" }
-    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", FLANGE "flange", LAYERS "layers", PROCESS "process" }
+    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", FLANGE "flange", LAYERS "layers", PROCESS "process", MEASURE "measure" }
     inlet "inlet" {
         NONE "none", TUBE_DIAMETER "tube_diameter", LENGTH "length", TIP "tip", FILLET "fillet",
     }

@@ -28,6 +28,7 @@ mod laser;
 mod load;
 mod machine;
 mod material;
+mod measure;
 mod message;
 mod model;
 mod motion;
@@ -75,6 +76,7 @@ pub use machine::{
     Machine, Process, Script, SealingTool, SheetPlace,
 };
 pub use material::{builtin_material, builtin_materials, with_material};
+pub use measure::{MeasuredFigure, WrittenMeasure};
 pub use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Marks, Mask,

@@ -222,6 +222,7 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         "air = [\"a\"]\nport = [\"p\"]\n[drawing.process]\nweak = [\"b\"]\n[process.weak]",
         ROOM,
     ),
+    ("unknown-measure", "air = [\"a\"]\nport = [\"p\"]\n[drawing.measure]\ntip = [\"aa\"]", ROOM),
     ("nothing-drawn", "ignore = [\"a\", \"p\"]", ROOM),
     (
         "port-off-edge",

@@ -1,18 +1,21 @@
 //! Measures: points, lines and curves of a drawing whose places after inflation are wanted; and lines that bars hold.
 
-use artwork::{Artwork, Figure};
+use crate::drawn::DrawnPiece;
+use crate::{Refusal, RefusalCode};
+use artwork::{Artwork, Element, Figure};
 use geom::{Line, Path, Point, Segment};
-use spec::{DrawingSpec, LayerRole};
+use spec::units::count_text;
+use spec::{DrawingSpec, LayerRole, MeasuredFigure, key, nearest};
 
 /// Points along a curve through which a circle is laid.
 const CURVE_POINTS: u32 = 33;
 /// The largest distance of a line's points from its chord, as a part of the chord.
 const STRAIGHT: f64 = 1e-4;
 
-/// A figure of the role `measure` or `pull`, in the drawing's frame, mm.
+/// A figure of the role `measure` or `pull`, or a measure of the spec, in the drawing's frame, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
-    /// The name of the figure in the file.
+    /// The name of the figure in the file, or that of the measure in the spec.
     pub name: String,
     /// The form, which decides what is measured.
     pub form: MeasureForm,
@@ -34,10 +37,24 @@ pub enum MeasureForm {
 impl MeasureForm {
     /// The form of `figure`.
     fn new(figure: &Figure) -> Self {
-        let path = match figure {
-            Figure::Point(point) => return Self::Point(*point),
-            Figure::Path(path) => path,
-        };
+        match figure {
+            Figure::Point(point) => Self::Point(*point),
+            Figure::Path(path) => Self::of_path(path),
+        }
+    }
+
+    /// The form of these `points`, which are at least one.
+    fn of_points(points: &[Point]) -> Self {
+        match points {
+            [point] => Self::Point(*point),
+            [start, end] => Self::Line([*start, *end]),
+            [start, corner, end] => Self::Corner([*start, *corner, *end]),
+            _ => Self::Curve(points.to_vec()),
+        }
+    }
+
+    /// The form of `path`.
+    fn of_path(path: &Path) -> Self {
         let (Some(start), Some(end)) = (path.start(), path.end()) else {
             return Self::Point(path.bounds().center());
         };
@@ -91,6 +108,65 @@ pub(super) fn of_role(drawing: &Artwork, spec: &DrawingSpec, role: LayerRole) ->
     of_role
         .map(|element| Measure { name: element.id.clone(), form: MeasureForm::new(&element.figure) })
         .collect()
+}
+
+/// The measures that `spec` defines, in its order: on points, or on the element of `drawing` or the seam of `pieces` with a name.
+///
+/// # Errors
+/// Every name that is not that of exactly one element or seam.
+pub(super) fn of_spec(
+    drawing: &Artwork,
+    spec: &DrawingSpec,
+    pieces: &[DrawnPiece],
+) -> Result<Vec<Measure>, Vec<Refusal>> {
+    let (mut measures, mut refusals) = (Vec::new(), Vec::new());
+    for measure in &spec.measures {
+        let form = match &measure.figure {
+            MeasuredFigure::Points(places) => {
+                let points: Vec<Point> = places.iter().map(|[x, y]| Point::new(x.0, y.0)).collect();
+                Ok(MeasureForm::of_points(&points))
+            }
+            MeasuredFigure::Named(name) => named_form(name, drawing, pieces),
+        };
+        match form {
+            Ok(form) => measures.push(Measure { name: measure.name.clone(), form }),
+            Err(refusal) => refusals.push(refusal),
+        }
+    }
+    if refusals.is_empty() { Ok(measures) } else { Err(refusals) }
+}
+
+/// The form of the element of `drawing` called `name`, or else of the seam.
+fn named_form(name: &str, drawing: &Artwork, pieces: &[DrawnPiece]) -> Result<MeasureForm, Refusal> {
+    let seams = || pieces.iter().flat_map(|piece| &piece.shape.seams);
+    let of_name = |element: &&Element| element.names().any(|element_name| element_name == name);
+    let elements: Vec<&Element> = drawing.elements.iter().filter(of_name).collect();
+    let (fault, remedy) = match elements.as_slice() {
+        [element] => return Ok(MeasureForm::new(&element.figure)),
+        [] => {
+            if let Some(seam) = seams().find(|seam| seam.name == name) {
+                return Ok(MeasureForm::of_path(&seam.center_line));
+            }
+            let names = drawing.elements.iter().flat_map(Element::names);
+            let near = nearest(name, names.chain(seams().map(|seam| seam.name.as_str())));
+            let remedy = match near {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => {
+                    "name an element of the drawing or a seam, or write points: [\"10 mm, 20 mm\"]".to_owned()
+                }
+            };
+            (format!("the drawing has nothing called {name:?}, which is to be measured"), remedy)
+        }
+        several => {
+            let ids: Vec<&str> = several.iter().take(4).map(|element| element.id.as_str()).collect();
+            let fault = format!(
+                "{name:?}, which is to be measured, is the name of {}",
+                count_text(several.len(), "element")
+            );
+            (fault, format!("name one of them: {}", ids.join(", ")))
+        }
+    };
+    Err(Refusal::new(key::drawing::MEASURE, RefusalCode::UnknownMeasure, fault, remedy))
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ pub struct DrawnPieces {
     pub notes: Vec<String>,
     /// The places where hoses go in, in the order of the file.
     pub ports: Vec<DrawnPort>,
-    /// The points and lines that are measured after inflation, in the order of the file.
+    /// The points and lines that are measured after inflation: those of the file in its order, then those of the spec.
     pub measures: Vec<Measure>,
     /// The lines along seams that rigid bars hold, in the order of the file.
     pub bars: Vec<Measure>,
@@ -56,6 +56,14 @@ impl DrawnPieces {
             let names: Vec<&str> = seams.map(|seam| seam.name.as_str()).collect();
             refusals.extend(processes.without_seam(&names));
         }
+        let [mut measures, bars] =
+            [LayerRole::Measure, LayerRole::Pull].map(|role| measure::of_role(&artwork, drawing, role));
+        match measure::of_spec(&artwork, drawing, &pieces) {
+            Ok(of_spec) => measures.extend(of_spec),
+            Err(unknown) if refusals.is_empty() => refusals.extend(unknown),
+            // A seam of that name may be in a piece that is refused.
+            Err(_) => {}
+        }
         without_missing_ports(refusals).or_value(())?;
         let ramp = machine.process.ramp.0;
         let bounds: Vec<Bounds> =
@@ -65,8 +73,6 @@ impl DrawnPieces {
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::place_all(Self::KIND, &distinct, places);
-        let [measures, bars] =
-            [LayerRole::Measure, LayerRole::Pull].map(|role| measure::of_role(&artwork, drawing, role));
         Ok((Self { pieces, notes, ports: whole_sketch.ports, measures, bars, copies }, sheets, warnings))
     }
 

@@ -297,6 +297,7 @@ mod tests {
             "drawing.flange",
             "drawing.layers",
             "drawing.process",
+            "drawing.measure",
             "seal.strength",
             "process.temperature",
             "process.speed",
