@@ -45,11 +45,10 @@ impl<'a> Box<'a> {
     fn read(&self, file: &ManifestFile) -> Drawing {
         let files = self.build.output_files();
         let text = std::str::from_utf8(files.get(&file.path).expect("a file")).expect("text").to_owned();
-        let drawing = match file.kind {
-            Kind::OutlineSvg | Kind::SealSvg => read_svg(&text, SvgOrigin::LowerLeft),
-            kind if kind.format() == Format::Svg => read_svg(&text, SvgOrigin::Axis),
-            _ => read_dxf(&text),
-        };
+        let is_of_sheet = [Subject::Outline, Subject::Seal].contains(&file.kind.subject());
+        let origin = if is_of_sheet { SvgOrigin::LowerLeft } else { SvgOrigin::Axis };
+        let is_svg = file.kind.format() == Format::Svg;
+        let drawing = if is_svg { read_svg(&text, origin) } else { read_dxf(&text) };
         assert_eq!(drawing.findings, [], "{}", file.path);
         drawing
     }
