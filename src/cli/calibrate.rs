@@ -193,6 +193,8 @@ struct Need {
 impl Need {
     /// The need of the seal of a spec. The margin is at least such that `check` finds no seal that may burst.
     fn for_spec(loaded: &Loaded, args: &Args) -> Result<Self, Failure> {
+        // The loads of all seams are collected: of stars by the formulas, of drawings by the shell. The largest is the need; a
+        // pull that is uncertain raises the margin.
         let spec = &loaded.reading.spec;
         let pressure = spec.load.as_ref().and_then(|load| load.pressure);
         let pressure =

@@ -93,6 +93,8 @@ impl Args {
 
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    // The output is looked at first, because coupons take a while. They are proven before any file is written, and told as text
+    // and as JSON afterwards.
     let loaded = Loaded::with_fabric(&args.spec, &args.fabric, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     if args.output.symlink_metadata().is_ok() {

@@ -85,6 +85,8 @@ fn in_words(
     required: &Requirements,
     nearest: &NearRequest,
 ) -> String {
+    // The command has every option of the request with the eased values, so that it can be run as it is; the others are the
+    // user's own.
     let eased = &nearest.requirements;
     let friction = (!eased.friction_assumed).then_some(eased.friction);
     let sheet = if eased.room.sheet == required.room.sheet { args.sheet } else { Some(eased.room.sheet) };

@@ -159,6 +159,8 @@ impl<'a> Table<'a> {
         line: &Range<usize>,
         columns: &[TableColumn; N],
     ) -> Option<[usize; N]> {
+        // A line without any of the names is no header. Else each column is looked for by itself, so that all that are missing,
+        // doubled or in another unit are reported at once.
         let mut places = [0; N];
         let is_header = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
         if !record.iter().any(is_header) {
@@ -208,6 +210,8 @@ impl<'a> Table<'a> {
         places: [usize; N],
         count: usize,
     ) -> Option<[Option<f64>; N]> {
+        // Faults of the whole line come first: an open quote, or another number of cells. Then each cell is read, and every bad
+        // number is reported.
         if record.iter().any(|cell| cell.contains('\n')) {
             let fault = Fault::error(FaultCode::OpenQuote, line.clone(), "a cell continues in the next line");
             self.faults

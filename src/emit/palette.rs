@@ -22,6 +22,8 @@ const MAGENTA: LayerColour = LayerColour { svg: "#ff00ff", dxf: "6" };
 
 /// The colour of `layer`.
 pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
+    // In one colour all cuts are red, and nothing else is. In an ordered cut holes for posts and registration are blue, other holes
+    // and windows magenta, outsides red.
     match (layer, colours) {
         (Layer::Seal | Layer::SealInner, Colours::One | Colours::Ordered)
         | (Layer::Label | Layer::PaperMark, Colours::One)

@@ -44,6 +44,8 @@ impl Forecast {
 
 /// The content of one file; `None` if the gripper has none of this kind.
 fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option<Vec<u8>> {
+    // The subject decides who writes the file. Texts become bytes at the end; all others return their bytes at once.
+    // Drawings are left to their format.
     let text = match output.kind.subject() {
         Subject::Spec => sources.spec.to_owned(),
         Subject::Machine => sources.machine.to_owned(),

@@ -42,6 +42,8 @@ impl Precaution {
 impl Forecast {
     /// All precautions, the most urgent first, in the words of `interface`.
     pub fn precautions(&self, interface: Interface<'_>) -> Vec<Precaution> {
+        // First what concerns the design: whether it holds, bursts, or can be trusted. Then the workshop: a press has steps of its
+        // own, an unknown machine is told to be tried, a known one has its own words.
         let unfit = self.unfit();
         let is_fit = unfit.is_empty();
         let mut list: Vec<Precaution> = unfit

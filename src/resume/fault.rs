@@ -35,6 +35,8 @@ pub enum ResumeFault {
 
 impl fmt::Display for ResumeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A program that is not understood is told by the comment or the line that is missing or wrong. A place that cannot be resumed
+        // is told with the places that can.
         match self {
             Self::NotOurs(what) => write!(
                 f,

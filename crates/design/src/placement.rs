@@ -85,6 +85,8 @@ impl FreeArea {
 
     /// Whether the sheet or the machine is too small for one of `parts`; the refusal names the sides that all of them need.
     fn refuse(self, parts: &[Bounds], sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
+        // Of the parts without room the longest width and height are named together, so that one change is enough for all.
+        // The sheet is asked first, then the plates of a press, then the reach of the machine.
         let oversized = parts
             .iter()
             .filter(|part| !(self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part))))

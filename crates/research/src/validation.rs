@@ -100,6 +100,8 @@ fn compared(
     shell: &ShellNumbers,
     (case, inflated, outcome): (&Case, &Inflated<'_>, &Outcome),
 ) -> Option<Comparison> {
+    // The star at rest is compared first. Then each force, where the arms do not touch: the error at the same opening, and the
+    // prediction with its range on the same object. Meshes that leave a stiffness open settle nothing.
     let moves = &case.mechanism;
     let unit = moves.width / (PI / f64::from(moves.points)).sin();
     let ShellNumbers { radius, angle, stiffness, .. } = shell;

@@ -232,6 +232,8 @@ fn separator(reader: &mut Reader<'_>) {
 }
 
 fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
+    // Every key is read even if another one is wrong, so that one reading reports all faults. The file has no content yet: who
+    // reads the spec finds it.
     s.require_if(
         s.is_written(),
         &[("file", "\"outline.svg\""), ("layers", "{ air = [\"chamber\"], port = [\"inlet\"] }")],

@@ -136,6 +136,8 @@ fn diameter_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<St
 
 /// The hint for the hole or the outer size of a star, which are no keys: the key that decides them.
 fn star_size_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<String> {
+    // A word is a place and a measure, as in `hole_diameter`. Of a hole the radius is given with the flap added; the outer size
+    // follows from several keys.
     let _ = section.keys.iter().find(|key| **key == "inner_radius")?;
     let (place, part) = match word.split_once('_')? {
         (place, "diameter") => (place, 0.5),

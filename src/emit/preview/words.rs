@@ -31,6 +31,8 @@ pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> V
 }
 
 fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
+    // What is sealed and how, process by process; then the cut, the machine, its area and its origin, as far as they are known.
+    // The scale bar comes last.
     let Preview { spec, machine, design, .. } = preview;
     let mut block = Block::new(inert(&spec.name, NAME_LENGTH));
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
@@ -125,6 +127,8 @@ fn stars(design: &StarAssembly, sheet: usize) -> Block<'static> {
 
 /// The seams of the sheet in the order of sealing, equal ones of several stars on one line.
 fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
+    // Seams of one name and length are one row with all their numbers and stars. Each row has two lines: which seam, and how
+    // long it takes.
     let mut block = Block::new("Order of sealing, in each program");
     let mut rows: Vec<(Vec<usize>, Vec<usize>, &SeamReport)> = Vec::new();
     for program in preview.programs.iter().filter(|program| program.sheet == sheet) {

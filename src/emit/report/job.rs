@@ -59,6 +59,8 @@ pub(super) fn sheets(report: &Report<'_>) -> Vec<Value> {
 
 /// The sealing programs, in order.
 pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
+    // Each step has the time at which it ends and the seam to which it belongs. A program with several processes names that of
+    // each seam, with line and pass.
     let program = |program: &Program| {
         let times = program.timeline(report.spec, report.machine);
         let mut seam = 0;

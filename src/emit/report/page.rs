@@ -54,6 +54,8 @@ pub(super) fn page(
     code: Option<&LinkCode>,
     plan: Option<&PressPlan>,
 ) -> String {
+    // Styles and scripts are inside the page, and its policy names them by their hashes, so that nothing else runs. The scene is
+    // packed; a press has a frame and a script of its own.
     let mut scripts = SCRIPTS.to_vec();
     if plan.is_some() {
         scripts.insert(SCRIPTS.len() - 1, PRESS_SCRIPT);

@@ -174,6 +174,8 @@ fn processes(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
 
 /// The tasks of the operator, and the settings on which a chopped program relies.
 fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
+    // Limits come first. A chopped program states its strokes and all that their timing depends on, then what it requires of the
+    // machine. Lines of the profile are last.
     limits(writer, machine);
     let chopped = program.processes.iter().find_map(|paced| match paced.pace {
         Pace::Chopped(chop) => Some(chop),

@@ -161,6 +161,8 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
 
 /// One throw; `None` if there is no such star, or it lies outside of `bounds`.
 fn throw((set, number): (Set, u32), points: u32, bounds: &DrawnBounds, dice: &mut Dice) -> Option<DrawnStar> {
+    // Sizes are thrown first and rounded as a spec writes them; the inner radius follows from the arm. The ratios are judged by the
+    // rounded sizes. A wide set leaves out stars within the usual bounds, which have sets of their own.
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
     let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);

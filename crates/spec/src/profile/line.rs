@@ -185,6 +185,8 @@ fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
 
 /// A setting of Klipper: a word with `NAME=number` parameters.
 fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> Option<Limits> {
+    // The parameters are read first: each once, with a number. Then the word decides which of them it may have; any other
+    // makes the line one that is not understood.
     let mut settings: Vec<(&str, f64)> = Vec::new();
     for parameter in parameters {
         let (name, value) = parameter.split_once('=')?;

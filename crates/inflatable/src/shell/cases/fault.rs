@@ -113,6 +113,8 @@ impl From<MeshFault> for ShellFault {
 
 impl fmt::Display for ShellFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A value outside of its range is named with the range. A solver that stops says why, at which 1/eps, and where the last
+        // equilibrium before it was.
         match self {
             Self::Range { name, found, least, most } => {
                 let value = Readable(*found);

@@ -208,6 +208,8 @@ impl<'a> Family<'a> {
         mut state: State,
         highest: f64,
     ) -> Result<Equilibrium, ShellFault> {
+        // Each step lowers the pressure by a ratio. A step that fails is tried again from the last equilibrium with a ratio nearer
+        // to 1, and the next ones grow again.
         let continuation = self.tube.continuation();
         let mut pressure = continuation.last.max(highest);
         let (mut last_rest, mut ratio) = (None::<Equilibrium>, DOWN);

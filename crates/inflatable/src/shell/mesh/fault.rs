@@ -82,7 +82,8 @@ pub enum MeshFault {
 
 impl fmt::Display for MeshFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Each fault names the triangle, point or edge by its number, and the remedy where the caller has one.
+        // Each fault names the triangle, point or edge by its number, and the remedy where the caller has one. Numbers count from 0, as
+        // in the mesh.
         match *self {
             Self::Empty => write!(f, "a mesh needs at least one triangle"),
             Self::NotFinite { point } => write!(f, "point {point} has a coordinate that is not finite"),

@@ -34,6 +34,8 @@ pub struct FeedCheckTask<'a> {
 impl FeedCheckTask<'_> {
     /// Reads the program and reports everything that it does otherwise; its largest deviation, mm.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
+        // The lines are judged as a trace: the first as its frame, the others as its seams. The times of the lines and the height
+        // above the fabric have a judge of their own.
         let Self { spec, machine, ref lines } = *self;
         let (rules, tolerance) = (IronRules::new(spec, machine, &SealJob::default()), spec.accuracy.path.0);
         let (name, origin) = (PieceName::Named("line".to_owned()), Isometry::IDENTITY);

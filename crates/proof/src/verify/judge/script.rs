@@ -149,6 +149,8 @@ impl Body {
     }
 
     fn judge(&mut self, pending: &PendingLine, is_within: bool, findings: &mut Findings) {
+        // Within the program each heating waits for the next of the temperatures, in their order. Before and after it the lines of
+        // the profile may only switch off.
         let right = match (&pending.heat, is_within) {
             (None, is_within) => !is_within,
             (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,

@@ -158,6 +158,8 @@ impl<'a> Tags<'a> {
 
     /// All entities, up to the end of their section. Their numbers are read elsewhere.
     fn entities(&mut self) -> Result<(), Finding> {
+        // Circles and polylines only, each with the pairs that its class has, in their order. Whatever else follows is a finding
+        // with the pair that was expected.
         while let Some(head) = self.next_if("0")? {
             let Some((_, class)) = ENTITIES.iter().find(|(name, _)| *name == head.value) else {
                 if head.value == "ENDSEC" {
