@@ -2,6 +2,7 @@
 
 mod chords;
 mod dxf;
+mod mjcf;
 mod package;
 mod palette;
 mod pdf;
@@ -15,6 +16,7 @@ mod thumbnails;
 
 pub use chords::chords;
 pub use dxf::dxf;
+pub use mjcf::mjcf;
 pub use package::package;
 pub use pdf::pdf;
 pub use preview::{FaultMark, GridCell, Preview, cells, faults, is_faults};

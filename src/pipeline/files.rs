@@ -58,6 +58,9 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
             None => forecast.prediction.as_ref()?.to_json(),
         },
         Subject::Scene => return scene(forecast),
+        Subject::Mjcf => {
+            emit::mjcf(&forecast.spec, forecast.design.assembly()?, forecast.prediction.as_ref()?)
+        }
         Subject::Preview => return preview(forecast, sources, output),
         Subject::Report => report(forecast, sources)?,
         Subject::Seal | Subject::Trace | Subject::Cut if output.kind.is_program() => {
@@ -124,6 +127,7 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         | Format::Stl
         | Format::Json
         | Format::Glb
+        | Format::Xml
         | Format::Html => None,
     }
 }
@@ -196,6 +200,7 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
         | Format::Json
         | Format::Png
         | Format::Glb
+        | Format::Xml
         | Format::Html => return None,
     })
 }

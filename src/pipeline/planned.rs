@@ -5,7 +5,7 @@ use design::{Design, Refusal, RefusalCode, Refusals};
 use forecast::predict::PredictFault;
 use program::plan;
 use program::plan::{Program, Step};
-use proof::artifact::{Format, Kind, KindRequest, takes_packages};
+use proof::artifact::{Format, Kind, KindRequest, has_mjcf, takes_packages};
 use spec::{Machine, SealingTool, Spec, key};
 
 /// A gripper that the machine can seal.
@@ -95,14 +95,28 @@ fn no_package(machine: &Machine, kind: Kind) -> Option<Refusal> {
     Some(Refusal::new(key::machine::PROFILE, RefusalCode::NoPackage, problem, remedy))
 }
 
-/// Refuses the first program that `request` names and `machine` does not run: any for a press, a package for most machines.
+/// The refusal of a model for MuJoCo, for a spec without stars at a pressure; `None` for one with.
+fn no_mjcf(spec: &Spec) -> Option<Refusal> {
+    if has_mjcf(spec) {
+        return None;
+    }
+    let problem = "mjcf is the model of stars at their pressure";
+    let remedy = "set `pressure` in [load]; a [drawing] has no such model";
+    Some(Refusal::new(key::load::PRESSURE, RefusalCode::NoPrediction, problem, remedy))
+}
+
+/// Refuses a model for MuJoCo that `spec` does not have, and the first program that `request` names and `machine` does not run: any for a press,
+/// a package for most machines.
 ///
 /// # Errors
-/// The refusal, if the request names such a program.
+/// The refusal, if the request names such a file.
 pub fn no_requested_programs(spec: &Spec, machine: &Machine, request: &KindRequest) -> Result<(), Refusals> {
     let mut programs = request.only.iter().chain(&request.with).filter(|kind| kind.is_program());
     let refusal =
         programs.find_map(|kind| no_programs(spec, kind.name()).or_else(|| no_package(machine, *kind)));
+    let is_model_requested =
+        request.clone().of_spec(spec).with.contains(&Kind::Mjcf) || request.only.contains(&Kind::Mjcf);
+    let refusal = refusal.or_else(|| no_mjcf(spec).filter(|_| is_model_requested));
     refusal.into_iter().collect::<Refusals>().or_value(())
 }
 

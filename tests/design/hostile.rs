@@ -47,7 +47,7 @@ const HOSTILE: [&str; 28] = [
 ];
 
 /// All kinds that have words in them, and one of each format.
-const KINDS: [Kind; 13] = [
+const KINDS: [Kind; 14] = [
     Kind::SealGcode,
     Kind::Seal3mf,
     Kind::TraceGcode,
@@ -60,6 +60,7 @@ const KINDS: [Kind; 13] = [
     Kind::Prediction,
     Kind::PreviewPng,
     Kind::SceneGlb,
+    Kind::Mjcf,
     Kind::Report,
 ];
 
@@ -109,7 +110,7 @@ fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
     let text = || std::str::from_utf8(bytes).expect("UTF-8");
     let set = |marks: &mut dyn Iterator<Item = String>| marks.collect::<BTreeSet<String>>();
     match ending {
-        "svg" => {
+        "svg" | "xml" => {
             let document = roxmltree::Document::parse(text()).expect("XML");
             let names = |node: roxmltree::Node<'_, '_>| {
                 let attributes: Vec<&str> = node.attributes().map(|attribute| attribute.name()).collect();

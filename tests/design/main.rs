@@ -12,6 +12,7 @@ mod hostile;
 mod layers;
 mod links;
 mod marks;
+mod model;
 mod one_layer;
 mod packages;
 mod parts;

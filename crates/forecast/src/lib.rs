@@ -37,6 +37,7 @@ mod evidence;
 mod folding;
 pub mod interval;
 pub mod keys;
+pub mod linkage;
 mod load_check;
 pub mod meshed;
 pub mod model_search;

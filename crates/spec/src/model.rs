@@ -63,6 +63,8 @@ crate::choices! {
     Report: "report",
     /// The products in three dimensions.
     SceneGlb: "scene-glb",
+    /// A reduced model for MuJoCo.
+    Mjcf: "mjcf",
     /// The picture in pixels.
     PreviewPng: "preview-png",
     /// The cut on paper.

@@ -180,10 +180,16 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
         let label = "the paper of a press has `creep` in [press]: write it there";
         report_conflict(reader, key::mask::CREEP, message, label);
     }
-    let of_stacks = [Extra::FramePdf, Extra::FrameStl];
-    for extra in spec.build.with.iter().filter(|extra| !spec.has_stars() && of_stacks.contains(extra)) {
-        let message = format!("`with` names {:?} beside [drawing]", extra.name());
-        report_conflict(reader, key::build::WITH, message, "only stacked stars have a frame");
+    let of_stars = [
+        (Extra::FramePdf, "only stacked stars have a frame"),
+        (Extra::FrameStl, "only stacked stars have a frame"),
+        (Extra::Mjcf, "only stars have a model for MuJoCo"),
+    ];
+    for (extra, label) in of_stars {
+        if !spec.has_stars() && spec.build.with.contains(&extra) {
+            let message = format!("`with` names {:?} beside [drawing]", extra.name());
+            report_conflict(reader, key::build::WITH, message, label);
+        }
     }
 }
 

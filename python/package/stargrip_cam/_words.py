@@ -39,6 +39,7 @@ FileKind = Literal[
     "preview-png",
     "prediction",
     "scene-glb",
+    "mjcf",
     "report",
 ]
 CouponKind = Literal["strips", "disc", "v-actuator", "burst"]

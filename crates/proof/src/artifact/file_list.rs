@@ -38,6 +38,11 @@ pub fn takes_packages(dialect: Dialect) -> bool {
     }
 }
 
+/// Whether a design of `spec` has a model for simulators: stars at a pressure.
+pub fn has_mjcf(spec: &Spec) -> bool {
+    spec.has_stars() && spec.load.as_ref().is_some_and(|load| load.pressure.is_some())
+}
+
 /// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
     list_files(spec, dialect, design, request, true)
@@ -80,7 +85,9 @@ impl Parts {
             Subject::Mask | Subject::Pieces => Self::Masks,
             Subject::Frame => Self::Plates,
             Subject::Separator => Self::Papers,
-            Subject::PressPlan | Subject::Prediction | Subject::Scene | Subject::Report => Self::Results,
+            Subject::PressPlan | Subject::Prediction | Subject::Scene | Subject::Mjcf | Subject::Report => {
+                Self::Results
+            }
         }
     }
 
@@ -107,6 +114,7 @@ fn is_of_spec(spec: &Spec, kind: Kind) -> bool {
         }
         Subject::Prediction => spec.load.is_some(),
         Subject::PressPlan => spec.press.is_some(),
+        Subject::Mjcf => has_mjcf(spec),
         Subject::Cut => spec.cut.program.is_some() && spec.press.is_none(),
         Subject::Spec
         | Subject::Machine
@@ -181,6 +189,7 @@ fn list_files(
         | Format::Json
         | Format::Png
         | Format::Glb
+        | Format::Xml
         | Format::Html => vec![output],
     };
     outputs.into_iter().flat_map(on_paper).collect()

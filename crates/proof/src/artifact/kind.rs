@@ -41,6 +41,8 @@ spec::choices! {
     Prediction: "prediction",
     /// The gripper in three dimensions, for viewing.
     Scene: "scene",
+    /// A reduced model of the gripper for MuJoCo.
+    Mjcf: "mjcf",
     /// All results on one page.
     Report: "report",
 }
@@ -70,6 +72,8 @@ spec::choices! {
     Png: "png",
     /// Triangles for viewing.
     Glb: "glb",
+    /// A model for simulators.
+    Xml: "xml",
     /// A page for browsers.
     Html: "html",
 }
@@ -177,6 +181,8 @@ kinds! {
     Prediction: "prediction", Prediction as Json;
     /// The gripper in three dimensions, for viewing.
     SceneGlb: "scene-glb", Scene as Glb;
+    /// A reduced model of the gripper for MuJoCo; only for stars with a pressure.
+    Mjcf: "mjcf", Mjcf as Xml;
     /// All results on one page.
     Report: "report", Report as Html;
 }
@@ -203,6 +209,7 @@ impl Kind {
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
+            | Subject::Mjcf
             | Subject::Report => false,
         }
     }
@@ -210,7 +217,7 @@ impl Kind {
     /// Whether no reader compares its content with the design: it is proven by its bytes alone.
     pub fn is_by_bytes(self) -> bool {
         match self.subject() {
-            Subject::Preview | Subject::Scene | Subject::Report => true,
+            Subject::Preview | Subject::Scene | Subject::Mjcf | Subject::Report => true,
             Subject::Seal
             | Subject::Outline
             | Subject::Mask
@@ -301,7 +308,7 @@ mod tests {
         for kind in Kind::ALL {
             let subject = kind.subject().name();
             let name = match kind.format() {
-                Format::Toml | Format::Json | Format::Html => subject.to_owned(),
+                Format::Toml | Format::Json | Format::Xml | Format::Html => subject.to_owned(),
                 Format::Pdf if kind.subject() == Subject::PressPlan => subject.to_owned(),
                 Format::Package => format!("{subject}-3mf"),
                 format => format!("{subject}-{}", format.ending()),

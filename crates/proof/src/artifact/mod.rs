@@ -4,7 +4,7 @@ mod file_list;
 mod kind;
 mod output;
 
-pub use file_list::{outputs, program_ending, takes_packages, too_large};
+pub use file_list::{has_mjcf, outputs, program_ending, takes_packages, too_large};
 pub use kind::{Format, Kind, KindRequest, Subject};
 pub use output::{NGC, Output, OutputPart};
 

@@ -197,6 +197,7 @@ impl Output {
             | Kind::PreviewPng
             | Kind::Prediction
             | Kind::SceneGlb
+            | Kind::Mjcf
             | Kind::Report => None,
         }
     }
@@ -234,6 +235,7 @@ impl Output {
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
+            | Subject::Mjcf
             | Subject::Report => None,
         }
     }
@@ -250,6 +252,7 @@ impl Output {
             | Format::Json
             | Format::Png
             | Format::Glb
+            | Format::Xml
             | Format::Html => CutEdge::Tool,
         }
     }
@@ -302,6 +305,7 @@ impl Output {
             | Subject::Preview
             | Subject::Prediction
             | Subject::Scene
+            | Subject::Mjcf
             | Subject::Report => None,
         }
     }

@@ -127,6 +127,7 @@ fn file(
             | Format::Svg
             | Format::Dxf
             | Format::Json
+            | Format::Xml
             | Format::Html,
         ) => {}
     }
@@ -139,6 +140,7 @@ fn file(
             | Subject::PressPlan
             | Subject::Preview
             | Subject::Scene
+            | Subject::Mjcf
             | Subject::Report,
             _,
         ) => (Method::Hash, None),
@@ -237,6 +239,7 @@ fn drawing(
         | Format::Json
         | Format::Png
         | Format::Glb
+        | Format::Xml
         | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
     };
     let deviation = drawings::compare(&read_drawing, &exact, tolerance, findings);
