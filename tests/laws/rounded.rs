@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use stargrip_cam::geom::{Arc, Line, Path, Point, Vec2};
 use stargrip_cam::sealed::{Role, ShapeCode, Sketch, sealed_shape};
 
-use crate::sketches::{RULES, drawn, open, p, polygon, port, rectangle, sketch};
+use crate::sketches::{RULES, circle, drawn, open, p, polygon, port, rectangle, sketch};
 
 /// How much wider one end of a narrow part is than the other, mm.
 const TAPERS: [f64; 9] = [0.0, 1e-6, -1e-6, 5e-4, -5e-4, 0.004, -0.004, 0.015, -0.015];
@@ -82,6 +82,18 @@ fn a_spot_is_sealed_however_it_is_drawn() {
     }
 }
 
+/// A spot hardly wider than one band has no centre line that a program could follow.
+#[test]
+fn a_spot_of_one_band_has_no_room() {
+    for diameter in [2.001, 2.01, 2.03, 2.06] {
+        let air = vec![("r", rectangle(0.0, 0.0, 100.0, 60.0)), ("i", spot(diameter, 4, true))];
+        assert_eq!(codes(&sketch(air, vec![port(0.0, 30.0)])), [ShapeCode::NoRoom], "{diameter} mm");
+        let pillow = sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], vec![port(0.0, 30.0)]);
+        let point = Sketch { seams: vec![drawn("w", circle(60.0, 30.0, diameter / 2.0 - 1.0))], ..pillow };
+        assert_eq!(codes(&point), [ShapeCode::NoRoom], "a seam of {} mm", diameter - 2.0);
+    }
+}
+
 /// A weld whose points are rounded to 0.01 mm is one, with steps of 0.012 mm too.
 #[test]
 fn a_weld_may_have_steps_as_short_as_the_rounding() {
@@ -103,5 +115,53 @@ fn a_weld_may_have_steps_as_short_as_the_rounding() {
             let welds = sealing.shape.seams.iter().filter(|seam| seam.role == Role::Weld);
             assert_eq!(welds.count(), 1, "{turn} {step}");
         }
+    }
+}
+
+/// An island one band wide, whose sides are steps of 0.05 to 0.2 mm between places rounded to 0.0001 mm, is sealed once along its middle.
+#[test]
+fn an_island_of_one_band_may_have_short_steps() {
+    for turn in 0..8 {
+        for step in [0.05, 0.1, 0.15, 0.2] {
+            let way = Vec2::unit(0.3 + f64::from(turn) * TAU / 8.0);
+            let corners = [(-8.0, -1.0), (8.0, -1.0), (8.0, 1.0), (-8.0, 1.0)]
+                .map(|(x, y)| p(50.0, 30.0) + way * x + way.perp() * y);
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            let points: Vec<Point> = sides
+                .flat_map(|(a, b)| {
+                    let count = (a.distance(*b) / step).round();
+                    (0..count as u32).map(move |i| a.lerp(*b, f64::from(i) / count))
+                })
+                .map(|place| p((place.x * 1e4).round() / 1e4, (place.y * 1e4).round() / 1e4))
+                .collect();
+            let air = vec![("r", rectangle(0.0, 0.0, 100.0, 60.0)), ("i", polygon(&points))];
+            let sealing = sealed_shape(&sketch(air, vec![port(0.0, 30.0)]), &RULES);
+            let sealing = sealing.unwrap_or_else(|faults| panic!("{turn} {step}: {faults:#?}"));
+            assert_eq!(sealing.shape.seams.len(), 2, "{turn} {step}");
+        }
+    }
+}
+
+/// A weld may end on a corner of the fabric: from there it goes on to the centre line, which keeps farther off than half a band.
+#[test]
+fn a_weld_may_end_on_a_corner_of_the_fabric() {
+    for count in [3, 4, 6, 8, 12, 40] {
+        let corner = |i: u32| p(60.0, 30.0) + Vec2::unit(TAU * f64::from(i) / f64::from(count)) * 8.0;
+        let island = polygon(&(0..count).map(corner).collect::<Vec<_>>());
+        let notch = [
+            p(0.0, 0.0),
+            p(100.0, 0.0),
+            p(100.0, 20.0),
+            p(80.0, 30.0),
+            p(100.0, 40.0),
+            p(100.0, 60.0),
+            p(0.0, 60.0),
+        ];
+        let air = vec![("r", polygon(&notch)), ("i", island)];
+        let weld = drawn("w", open(&[p(80.0, 30.0), p(68.0, 30.0)]));
+        let sketch = Sketch { seams: vec![weld], ..sketch(air, vec![port(0.0, 30.0)]) };
+        let sealing = sealed_shape(&sketch, &RULES).unwrap_or_else(|faults| panic!("{count}: {faults:#?}"));
+        assert_eq!(sealing.shape.seams.len(), 3, "{count}");
+        assert_eq!(sealing.shape.topology().leaks, [], "{count}");
     }
 }

@@ -8,6 +8,14 @@ use crate::offset_graph::{OffsetGraph, SharedStretch};
 use crate::pieces::Piece;
 use geom::{BoxIndex, Path, Point, Segment, SegmentIndex};
 
+/// Least mean width of the loop of a closed seam, mm: the turns of a smaller one are too short for a program to follow one after the other.
+pub(crate) const NARROWEST_LOOP: f64 = 0.08;
+
+/// Whether a closed seam along `path` would be a point rather than a loop.
+pub(crate) fn is_point(path: &Path) -> bool {
+    4.0 * path.area().abs() < NARROWEST_LOOP * path.length()
+}
+
 /// The centre lines of a band along an edge.
 pub(crate) struct CenterLines {
     /// The closed ones.
@@ -26,6 +34,9 @@ pub(crate) fn center_lines(edge: &Path, half: f64, join: f64) -> CenterLines {
     let graph =
         OffsetGraph::new(&edge_parallels, &spines.shared, join, |p| !edge_index.has_within(p, half - SLACK));
     let mut loops = graph.cycles();
+    if loops.iter().all(is_point) {
+        loops.clear();
+    }
     if !spines.paths.is_empty() {
         // At the round end of a slot that is a little wider than the band a crumb is left.
         loops.retain(|cycle| cycle.area().abs() > join * cycle.length());

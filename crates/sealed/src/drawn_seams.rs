@@ -1,16 +1,23 @@
 //! Seams that are drawn as centre lines: closed ones are edges of the air, open ones walls and welds.
 
 use crate::bands::{Band, BandKind, Bands, FollowedEdge, opened_bands};
-use crate::fault::{Noted, SealingNotes, named};
+use crate::center_lines::{NARROWEST_LOOP, is_point};
+use crate::fault::{Noted, Quoted, SealingNotes, ShapeCode, ShapeFault, named};
 use crate::mended::{MendedCurves, NamedPath};
 use crate::network::NetworkEdge;
 use crate::offset::offset_right;
-use crate::pieces::{NOTHING, with_end};
+use crate::pieces::with_end;
 use crate::ports::{OpenedEdges, Opening, open_ports};
 use crate::regions::depth;
 use crate::segments::Segments;
 use crate::sketch::{DrawnPort, Rules};
-use geom::{Bounds, Enclosures, Path, SegmentIndex};
+use geom::{Bounds, Enclosures, Line, Path, SegmentIndex};
+
+/// A weld goes on to a centre line that is nearer to its end than this many bands: that around a corner of 29 degrees is.
+const FARTHEST: f64 = 2.0;
+
+/// An end of a weld lies on a band that it misses by this much, mm.
+const JOINED: f64 = 1e-6;
 
 /// A closed drawn seam.
 struct ClosedSeam {
@@ -45,6 +52,7 @@ pub(crate) fn with_seams(
         bands.list.push(Band { path, names, kind: BandKind::Weld, joined: [false; 2] });
     }
     let seams = closed_seams(closed.into_iter().map(with_names).collect(), &bands.cut_edges);
+    notes.faults.extend(seams.iter().filter(|seam| is_point(&seam.path)).map(point_seam));
     let half_band = rules.band / 2.0;
     for seam in &seams {
         // The air is on the left, and begins where the band ends.
@@ -77,6 +85,16 @@ pub(crate) fn with_seams(
     (bands, notes)
 }
 
+/// The fault of a closed seam that is hardly larger than a point.
+fn point_seam(seam: &ClosedSeam) -> ShapeFault {
+    let bounds = seam.path.bounds();
+    let size = bounds.width().min(bounds.height());
+    let finding = format!("the closed seam {} is only {size:.4} mm wide", Quoted(&seam.names));
+    let remedy = format!("make it at least {NARROWEST_LOOP} mm wide, or draw an open weld in its place");
+    let fault = ShapeFault::new(ShapeCode::NoRoom, bounds.center(), finding, remedy);
+    ShapeFault { names: seam.names.clone(), found: size, allowed: NARROWEST_LOOP, ..fault }
+}
+
 /// The closed seams with the air on their left: `edges` and seams around one tell on which side that is.
 fn closed_seams(seams: Vec<NamedPath>, edges: &[FollowedEdge]) -> Vec<ClosedSeam> {
     let seam_paths = seams.iter().map(|seam| &seam.path);
@@ -91,12 +109,15 @@ fn closed_seams(seams: Vec<NamedPath>, edges: &[FollowedEdge]) -> Vec<ClosedSeam
 
 /// The `welds`, of which each end that lies off every band, but within `join` of an edge of the air, is moved to that edge, where the band
 /// begins: a gap there is closed as one between two ends is.
+///
+/// Around a corner of the fabric the centre line keeps farther off than half a band; a weld that ends there goes on to it.
 fn without_edge_gaps(mut welds: Vec<NamedPath>, bands: &Bands, rules: &Rules) -> Noted<Vec<NamedPath>> {
     let mut notes = SealingNotes::default();
     let edges = Segments::new(&bands.air.closed);
     let center_lines =
         SegmentIndex::new(bands.list.iter().flat_map(|band| band.path.segments.clone()).collect());
-    let reach = rules.band / 2.0 + 2e-6;
+    let reach = rules.band / 2.0 + JOINED;
+    let farthest = FARTHEST * rules.band;
     for NamedPath { path, names } in &mut welds {
         for is_start in [true, false] {
             let mut way = if is_start { path.reversed() } else { path.clone() };
@@ -106,14 +127,22 @@ fn without_edge_gaps(mut welds: Vec<NamedPath>, bands: &Bands, rules: &Rules) ->
             let feet = candidates.map(|edge| edge.segment.point(edge.segment.nearest_fraction(end)));
             let feet = feet.map(|foot| (foot.distance(end), foot)).filter(|(gap, _)| *gap <= rules.join);
             let Some((gap, foot)) = feet.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-            if gap <= NOTHING || center_lines.has_within(end, reach) {
+            if center_lines.has_within(end, reach - JOINED / 2.0) {
                 continue;
             }
+            let places = bands.list.iter().filter_map(|band| Some((band, band.path.nearest(foot)?)));
+            let Some((band, nearest)) = places.min_by(|a, b| a.1.distance.total_cmp(&b.1.distance)) else {
+                continue;
+            };
             *last = with_end(last, foot);
+            if gap > 2.0 * JOINED {
+                notes.gap_closed([names.clone(), band.names.clone()].concat(), foot, gap);
+            }
+            let is_at_mouth = bands.mouths.iter().any(|mouth| mouth.is_beside(foot, rules.band));
+            if !is_at_mouth && (reach..farthest).contains(&nearest.distance) {
+                way.segments.push(Line::new(foot, nearest.point).into());
+            }
             *path = if is_start { way.reversed() } else { way };
-            let nearest = bands.list.iter().find(|band| band.path.distance(foot) < reach);
-            let edge_names = nearest.map_or(Vec::new(), |band| band.names.clone());
-            notes.gap_closed([names.clone(), edge_names].concat(), foot, gap);
         }
     }
     (welds, notes)
@@ -122,7 +151,7 @@ fn without_edge_gaps(mut welds: Vec<NamedPath>, bands: &Bands, rules: &Rules) ->
 /// The bands, with the ends of welds that lie on another band, within half a band of its centre line: a weld with two is a wall.
 pub(crate) fn join_ends(mut bands: Vec<Band>, width: f64) -> Vec<Band> {
     let segments = Segments::new(bands.iter().map(|band| &band.path));
-    let reach = width / 2.0 + 1e-6;
+    let reach = width / 2.0 + JOINED;
     for (number, band) in bands.iter_mut().enumerate().filter(|(_, band)| band.kind == BandKind::Weld) {
         band.joined = [true, false].map(|is_start| segments.has_joint(number, &band.path, is_start, reach));
         if band.joined == [true; 2] {

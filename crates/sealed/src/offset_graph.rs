@@ -189,9 +189,7 @@ impl OffsetGraph {
                     // A dead end: the walk closed here, or what led here is left out.
                     let first = visits[node].filter(|first| *first < walk.len());
                     let cycle = walk.split_off(first.unwrap_or(walk.len().saturating_sub(1)));
-                    for edge in cycle.iter().skip(1) {
-                        visits[self.edges[*edge].nodes[0]] = None;
-                    }
+                    self.forget(&cycle, walk.len(), &mut visits);
                     if first.is_some() {
                         cycles.push(self.path(&cycle));
                         continue;
@@ -205,7 +203,10 @@ impl OffsetGraph {
                 walk.push(number);
                 node = self.edges[number].nodes[1];
                 match visits[node] {
-                    Some(first) if first > 0 && is_flat(&self.path(&walk[first..])) => walk.truncate(first),
+                    Some(first) if first > 0 && is_flat(&self.path(&walk[first..])) => {
+                        self.forget(&walk[first..], first, &mut visits);
+                        walk.truncate(first);
+                    }
                     Some(_) => {}
                     None => visits[node] = Some(walk.len()),
                 }
@@ -215,6 +216,14 @@ impl OffsetGraph {
             }
         }
         cycles.iter().filter(|cycle| !is_flat(cycle)).map(merged).collect()
+    }
+
+    /// Removes the visits later than after `length` edges from the nodes of a `stretch` that is no longer part of the walk.
+    fn forget(&self, stretch: &[usize], length: usize, visits: &mut [Option<usize>]) {
+        for edge in stretch {
+            let visit = &mut visits[self.edges[*edge].nodes[0]];
+            *visit = visit.filter(|number| *number <= length);
+        }
     }
 
     /// The closed path along a walk.
