@@ -176,7 +176,8 @@ fn program_of<'f>(forecast: &'f Forecast, output: &Output) -> Option<&'f Program
         | Subject::Mask
         | Subject::Pieces
         | Subject::Frame
-        | Subject::Separator => return None,
+        | Subject::Separator
+        | Subject::Mjcf => return None,
     };
     let is_for = |program: &&Program| match output.part.sealed() {
         Some(number) => program.numbers() == [number],
