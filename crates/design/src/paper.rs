@@ -84,8 +84,8 @@ impl Paper {
 
     /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
     pub fn has_room_for(self, drawing: &Drawing) -> bool {
-        let cut = self.cut(drawing);
-        cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
+        // Of several grids a printable one has the fewest pages, see [`TileGrid::page_count`]: they need not be counted.
+        self.upright(drawing).is_printable() || self.alternatives(drawing).iter().any(TileGrid::is_printable)
     }
 
     /// The pages on which `drawing` is printed, row by row from the upper left; `caption` names it on every page. Where they are
@@ -93,10 +93,10 @@ impl Paper {
     ///
     /// Empty if it cannot be printed, see [`Paper::has_room_for`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
-        if !self.has_room_for(drawing) {
+        let grid = TileGrid { caption, ..self.cut(drawing) };
+        if !grid.is_printable() {
             return Vec::new();
         }
-        let grid = TileGrid { caption, ..self.cut(drawing) };
         let tiles = grid.tiles(drawing);
         let grid = TileGrid { alone: tiles.len() == 1, ..grid };
         let overview = (tiles.len() > 1).then(|| grid.overview(drawing, &tiles));
@@ -106,30 +106,35 @@ impl Paper {
     /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, with an
     /// ordinary or a small overlap, as it takes the fewest pages. Of equals the first is taken.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
-        let sheet_area = Bounds {
-            min: drawing.corner(),
-            max: drawing.corner() + Vec2::new(drawing.width, drawing.height),
-        };
-        let upright = self.grid(drawing, sheet_area, false, OVERLAP);
+        let upright = self.upright(drawing);
         if upright.columns * upright.rows <= 1.0 {
             return upright;
         }
-        let part = extent(drawing);
-        let alternatives = [
-            self.grid(drawing, sheet_area, true, OVERLAP),
-            self.grid(drawing, part, false, OVERLAP),
-            self.grid(drawing, part, true, OVERLAP),
-            self.grid(drawing, part, false, LEAST_OVERLAP),
-            self.grid(drawing, part, true, LEAST_OVERLAP),
-        ];
         let (mut best, mut fewest) = (upright.page_count(drawing), upright);
-        for grid in alternatives {
+        for grid in self.alternatives(drawing) {
             let count = grid.page_count(drawing);
             if count < best {
                 (best, fewest) = (count, grid);
             }
         }
         fewest
+    }
+
+    /// The grid of paper that stands, from the drawing's corner, with an ordinary overlap.
+    fn upright(self, drawing: &Drawing) -> TileGrid<'static> {
+        self.grid(drawing, sheet_area(drawing), false, OVERLAP)
+    }
+
+    /// All other grids, in the order of preference.
+    fn alternatives(self, drawing: &Drawing) -> [TileGrid<'static>; 5] {
+        let part = extent(drawing);
+        [
+            self.grid(drawing, sheet_area(drawing), true, OVERLAP),
+            self.grid(drawing, part, false, OVERLAP),
+            self.grid(drawing, part, true, OVERLAP),
+            self.grid(drawing, part, false, LEAST_OVERLAP),
+            self.grid(drawing, part, true, LEAST_OVERLAP),
+        ]
     }
 
     /// The division of the part `extent` of a drawing into pages; `is_turned` turns the paper.
@@ -173,6 +178,12 @@ impl Paper {
     }
 }
 
+/// The area of a drawing, with or without anything in it.
+fn sheet_area(drawing: &Drawing) -> Bounds {
+    let corner = drawing.corner();
+    Bounds { min: corner, max: corner + Vec2::new(drawing.width, drawing.height) }
+}
+
 fn tiles_along(extent: f64, step: f64, overlap: f64) -> f64 {
     ((extent - overlap) / step - 1e-9).ceil().max(1.0)
 }
@@ -206,6 +217,11 @@ pub(super) struct Tile {
 }
 
 impl TileGrid<'_> {
+    /// Whether its tiles are not too many and its pages not too large.
+    fn is_printable(&self) -> bool {
+        self.columns * self.rows <= MOST_TILES && self.width.max(self.height) <= LARGEST
+    }
+
     /// The number of tiles on which something of the part lies; the largest number if the grid has too many.
     fn page_count(&self, drawing: &Drawing) -> usize {
         if self.columns * self.rows > MOST_TILES { usize::MAX } else { self.tiles(drawing).len() }
