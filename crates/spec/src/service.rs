@@ -146,6 +146,11 @@ impl Service {
         })
     }
 
+    /// Whether controllers of `dialect` read any service line.
+    pub fn is_read_by(dialect: Dialect) -> bool {
+        rows(dialect).next().is_some()
+    }
+
     /// Whether controllers of `dialect` have a line that lets Z go below the range of its axis.
     pub fn can_free_endstops(dialect: Dialect) -> bool {
         rows(dialect).any(|(_, argument)| matches!(argument, Argument::Whole(Self::EndstopsOff)))

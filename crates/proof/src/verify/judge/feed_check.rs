@@ -58,16 +58,16 @@ impl FeedCheckTask<'_> {
             motion: None,
         };
         let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
-        let judges: Vec<Box<dyn Judge + '_>> = vec![
+        let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, 2 * lines.len())),
             Box::new(Body::new(Vec::new(), &machine.controller.heating)),
-            Box::new(ReadyJudge::for_controller(&machine.controller)),
-            Box::new(HeightJudge::new(&machine.process.heights, area)),
-            Box::new(Timed::new(&rules, area, times)),
-            Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)),
-            Box::new(Traced::new(&task)),
-            Box::new(NoBeam),
         ];
+        judges.extend(ReadyJudge::for_controller(&machine.controller));
+        judges.push(Box::new(HeightJudge::new(&machine.process.heights, area)));
+        judges.push(Box::new(Timed::new(&rules, area, times)));
+        judges.push(Box::new(ClampJudge::new(&machine.bench.keep_out, 0.0)));
+        judges.push(Box::new(Traced::new(&task)));
+        judges.push(Box::new(NoBeam));
         judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
     }
 }

@@ -25,11 +25,9 @@ pub fn judge_iron<'a>(
     lines: impl IntoIterator<Item = &'a str>,
 ) -> Vec<Finding> {
     let heats = if controller.heating.is_by_program() { rules.heats() } else { Vec::new() };
-    let mut judges: Vec<Box<dyn Judge + '_>> = vec![
-        Box::new(Body::new(heats, &controller.heating)),
-        Box::new(ReadyJudge::for_controller(controller)),
-        Box::new(HeightJudge::new(&rules.process.heights, *area)),
-    ];
+    let mut judges: Vec<Box<dyn Judge + '_>> = vec![Box::new(Body::new(heats, &controller.heating))];
+    judges.extend(ReadyJudge::for_controller(controller));
+    judges.push(Box::new(HeightJudge::new(&rules.process.heights, *area)));
     judges.extend(iron(rules));
     judges.extend(
         controller.laser.map(|laser| -> Box<dyn Judge + '_> { Box::new(BeamJudge::new(laser, rules)) }),

@@ -52,12 +52,12 @@ impl ProgramTask<'_> {
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, self.pauses())),
             Box::new(Body::new(heats, &controller.heating)),
-            Box::new(ReadyJudge::for_controller(controller)),
-            Box::new(FirstWords),
-            Box::new(HeightJudge::new(heights, allowed)),
-            Box::new(Area { reach: area, allowed }),
-            Box::new(ClampJudge::new(&machine.bench.keep_out, reach)),
         ];
+        judges.extend(ReadyJudge::for_controller(controller));
+        judges.push(Box::new(FirstWords));
+        judges.push(Box::new(HeightJudge::new(heights, allowed)));
+        judges.push(Box::new(Area { reach: area, allowed }));
+        judges.push(Box::new(ClampJudge::new(&machine.bench.keep_out, reach)));
         if hot {
             judges.extend(iron(&rules));
         } else {
@@ -107,7 +107,8 @@ struct FirstWords;
 
 impl Judge for FirstWords {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        if findings.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
+        let first = line.text.trim_start().bytes().next();
+        if matches!(first, Some(b'X' | b'Y' | b'Z' | b'I' | b'J' | b'F')) && findings.is_empty() {
             let fault = quote(line.text.trim());
             findings.add_at(FindingCode::UnusedWord, line.number, fault, "G0, G1, G2 or G3 first");
         }

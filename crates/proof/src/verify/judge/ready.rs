@@ -28,9 +28,11 @@ struct WarmedPart {
 }
 
 impl ReadyJudge {
-    /// The judge of programs for `controller`.
-    pub(super) fn for_controller(controller: &Controller) -> Self {
-        Self::new(controller.place.surface.0, Service::can_free_endstops(controller.dialect))
+    /// The judge of programs for `controller`; `None` if it reads no service line, since all that is judged begins with one.
+    pub(super) fn for_controller(controller: &Controller) -> Option<Box<dyn Judge>> {
+        let dialect = controller.dialect;
+        let judge = Self::new(controller.place.surface.0, Service::can_free_endstops(dialect));
+        Service::is_read_by(dialect).then(|| -> Box<dyn Judge> { Box::new(judge) })
     }
 
     /// The judge of a program with the release layer at the height `surface`, mm, of a controller that clamps Z to 0 if `clamps`.

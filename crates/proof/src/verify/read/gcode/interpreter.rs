@@ -23,6 +23,8 @@ pub struct Interpreter {
     block: Block,
     words: Vec<Word>,
     line: usize,
+    /// Whether the dialect has service lines.
+    is_serviced: bool,
     /// The temperature that a comment announced and the next pause puts into force.
     announced: Option<f64>,
     ended: Option<usize>,
@@ -38,6 +40,7 @@ impl Interpreter {
         Self {
             machine: Machine::new(&dialect),
             alphabet: Alphabet::new(&dialect),
+            is_serviced: Service::is_read_by(dialect.vocabulary.dialect),
             dialect,
             block: Block::default(),
             words: Vec::new(),
@@ -67,13 +70,15 @@ impl Interpreter {
             self.report(events, FindingCode::LineTooLong, format!("{} characters", line.len()), allowed);
         }
         let mut comment = None;
-        if let Some(service) = Service::read(line, self.dialect.vocabulary.dialect) {
+        if let Some(service) = self.service(line) {
             self.serve(service, events);
-        } else if extended::is_heating(line) && self.whole_word(line).is_some() {
-            self.heat(line, events);
         } else if let Some(command) = self.whole_word(line) {
-            self.block.set(command);
-            self.execute(events);
+            if extended::is_heating(line) {
+                self.heat(line, events);
+            } else {
+                self.block.set(command);
+                self.execute(events);
+            }
         } else {
             let (line_comment, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
             comment = line_comment;
@@ -109,6 +114,11 @@ impl Interpreter {
             let fault = "a heating without a wait for it";
             self.report(events, FindingCode::HeatWithoutPause, fault, "M0 after it");
         }
+    }
+
+    /// The effect of a service line.
+    fn service(&self, line: &str) -> Option<Service> {
+        if self.is_serviced { Service::read(line, self.dialect.vocabulary.dialect) } else { None }
     }
 
     /// The command of a line that is one of the dialect's longer words, with words of its own or without.
