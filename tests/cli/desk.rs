@@ -209,7 +209,9 @@ fn a_weak_seam_bursts_first_and_a_strong_one_of_that_name_is_a_warning() {
         .map(|answer| answer["prediction"]["burst_pressure_kPa"].as_f64().expect("a pressure"));
     // With a strong inner loop the outer one is the first to open, at the pull of the corners.
     assert!(bursts[0] < 0.5 * bursts[1] && bursts[2] >= bursts[1], "{bursts:?} kPa");
-    assert!(note(&weak).starts_with("process weak is the weakest, 0.8 N/mm: its seams open first"));
+    assert!(
+        weak["before_you_seal_codes"].as_array().expect("codes").iter().all(|code| code != "weak-process")
+    );
     for answer in [&even, &strong] {
         assert!(note(answer).contains("its seams are not the first to open"), "{}", note(answer));
     }

@@ -20,7 +20,7 @@ struct Drawn {
 /// Two pouches of 40 x 100 mm, 40 mm apart, and `measures`, as a drawing at `kilopascals`.
 fn pouches(measures: &str, kilopascals: &str) -> Drawn {
     drawing(
-        "<rect x=\"30\" y=\"30\" width=\"40\" height=\"100\"/><rect x=\"110\" y=\"30\" width=\"40\" height=\"100\"/>",
+        "<rect x=\"30\" y=\"30\" width=\"40\" height=\"100\"/><rect id=\"right\" x=\"110\" y=\"30\" width=\"40\" height=\"100\"/>",
         "<path d=\"M50 26V34\"/><path d=\"M130 26V34\"/>",
         measures,
         kilopascals,
@@ -162,31 +162,33 @@ fn measures_lie_in_one_chamber() {
     }
 }
 
-/// A measure of the spec lies on its points, on an element, or on a seam; a name of two elements, or of nothing, is refused.
+/// A measure of the spec lies on its points or on an element; a name of two elements, or of nothing, is refused.
 #[test]
 fn a_spec_measures_what_it_names() {
-    let Drawn { mut spec, pieces } = pouches("", "1");
-    let seam = &pieces.pieces[1].shape.seams[0];
-    let mut measured = |figure: MeasuredFigure| {
-        let measure = WrittenMeasure { name: "span".to_owned(), figure };
-        spec.drawing.as_mut().expect("a drawing").measures = vec![measure];
-        let flat =
-            of_spec(&spec, &pieces_of(&spec).map_err(|refusals| refusals.to_string())?, &Watch::default());
-        Ok::<_, String>(flat.expect("flat").prediction.measures[0].clone())
-    };
+    let pouch = pouches("", "1");
     let line = [[30.0, 80.0], [70.0, 80.0]].map(|point| point.map(Length)).to_vec();
-    let span = measured(MeasuredFigure::Points(line)).expect("in one chamber");
+    let span = measured(&pouch, MeasuredFigure::Points(line)).expect("in one chamber");
     assert_eq!((span.measure.as_str(), span.distance_mm.map(|distance| distance.flat)), ("span", Some(40.0)));
-    let of_seam = measured(MeasuredFigure::Named(seam.name.clone())).expect("a seam");
+    let edge = measured(&pouch, MeasuredFigure::Named("right".to_owned())).expect("an element");
     assert_eq!(
-        (of_seam.chamber, of_seam.x_mm.map(|place| place.flat)),
+        (edge.chamber, edge.x_mm.map(|place| place.flat)),
         (2, Some(130.0)),
-        "the middle of a closed seam"
+        "the middle of a closed one"
     );
     for (name, words) in [("a", "the name of 2 elements"), ("spam", "nothing called \"spam\"")] {
-        let refusal = measured(MeasuredFigure::Named(name.to_owned())).expect_err("refused");
+        let refusal = measured(&pouch, MeasuredFigure::Named(name.to_owned())).expect_err("refused");
         assert!(refusal.contains(words), "{refusal}");
     }
+}
+
+/// The flat values of the measure "span" of `figure` on `pouch`.
+fn measured(pouch: &Drawn, figure: MeasuredFigure) -> Result<MeasurePrediction, String> {
+    let mut spec = pouch.spec.clone();
+    let measure = WrittenMeasure { name: "span".to_owned(), figure };
+    spec.drawing.as_mut().expect("a drawing").measures = vec![measure];
+    let pieces = pieces_of(&spec).map_err(|refusals| refusals.to_string())?;
+    let flat = of_spec(&spec, &pieces, &Watch::default()).expect("flat");
+    Ok(flat.prediction.measures[0].clone())
 }
 
 /// A strip of 40 x 80 mm, parted along its middle by a wall; a hose into each half, and a line across each end. `chambers` are the lines of

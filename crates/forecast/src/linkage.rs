@@ -76,13 +76,13 @@ pub enum StiffnessBasis {
 
 /// The link of an arm.
 #[derive(Clone, Copy, Debug)]
-struct Link {
+struct ArmLink {
     length: f64,
     lean: f64,
     sector_sine: f64,
 }
 
-impl Link {
+impl ArmLink {
     /// Distance of a corner's pin from the axis at the tips' angle `phi`, and its derivative, m and m per rad.
     fn corner_pin(self, phi: f64) -> [f64; 2] {
         let (sin, cos) = libm::sincos(0.5 * phi + self.lean);
@@ -109,7 +109,7 @@ impl RingPose {
     /// The pose on an object that corners touch with their pins at `touching_pin`, m; `None` without a force on it in `predicted`. `spring` is
     /// the stiffness of all hinges, N m per rad, and `balance` the tips' angle at which they balance.
     fn on_object(
-        link: Link,
+        link: ArmLink,
         touching_pin: f64,
         [spring, balance]: [f64; 2],
         predicted: &StarPrediction,
@@ -121,7 +121,7 @@ impl RingPose {
     }
 
     /// The closed pose, at the tips' angle `angle`.
-    fn closed(link: Link, spring: f64, angle: f64, predicted: &StarPrediction) -> Self {
+    fn closed(link: ArmLink, spring: f64, angle: f64, predicted: &StarPrediction) -> Self {
         let [_, slope] = link.corner_pin(angle);
         match predicted.radial_stiffness_N_per_m {
             Some(stiffness) => Self {
@@ -148,7 +148,7 @@ impl Linkage {
         let [width, r_i, r_e] =
             [closed.width, closed.tip_radius, closed.corner_radius].map(|mm| Length(mm).metres());
         let h = width + r_i + r_e;
-        let link = Link {
+        let link = ArmLink {
             length: libm::hypot(moves.arm, h),
             lean: libm::atan2(h, moves.arm),
             sector_sine: moves.sector_sine(),

@@ -16,7 +16,7 @@ const PLACES: Allowed = Allowed::closed(-1e5, 1e5);
 /// A measure that the spec defines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrittenMeasure {
-    /// Its name in answers.
+    /// The name in answers.
     pub name: String,
     /// What is measured.
     pub figure: MeasuredFigure,
@@ -27,7 +27,7 @@ pub struct WrittenMeasure {
 pub enum MeasuredFigure {
     /// Points in the order of the spec, at least one: X to the right and Y upwards, as the drawing's places are printed.
     Points(Vec<[Length; 2]>),
-    /// An element of the drawing, or a seam, with this name.
+    /// The element of the drawing with this name.
     Named(String),
 }
 
@@ -69,8 +69,9 @@ fn read_measure(s: &mut Section<'_, '_>, entry: &RawEntry) -> Option<WrittenMeas
 
 /// Whether `text` is meant as a point: two numbers with a comma between.
 fn is_point(text: &str) -> bool {
-    let is_number = |part: &str| !matches!(Length::parse(part.trim()), Err(QuantityFault::NotANumber));
-    text.split_once(',').is_some_and(|(x, y)| is_number(x) && is_number(y))
+    text.split_once(',').is_some_and(|(x, y)| {
+        [x, y].iter().all(|part| !matches!(Length::parse(part.trim()), Err(QuantityFault::NotANumber)))
+    })
 }
 
 /// The point `text` of measure `name`; `None` with a fault reported.
@@ -109,11 +110,10 @@ mod tests {
 
     #[test]
     fn a_measure_has_points_or_one_name() {
-        let points =
-            |list: &[[f64; 2]]| MeasuredFigure::Points(list.iter().map(|point| point.map(Length)).collect());
+        let [point, start, end] = [[10.0, 20.0], [10.0, 20.0], [-3.0, 0.0]].map(|point| point.map(Length));
         for (list, figure) in [
-            ("[\"10 mm, 2 cm\"]", points(&[[10.0, 20.0]])),
-            ("[\"10mm,20mm\", \" -3 mm , 0 mm\"]", points(&[[10.0, 20.0], [-3.0, 0.0]])),
+            ("[\"10 mm, 2 cm\"]", MeasuredFigure::Points(vec![point])),
+            ("[\"10mm,20mm\", \" -3 mm , 0 mm\"]", MeasuredFigure::Points(vec![start, end])),
             ("[\"crease, left\"]", MeasuredFigure::Named("crease, left".to_owned())),
         ] {
             let measure = WrittenMeasure { name: "tip".to_owned(), figure };

@@ -59,7 +59,7 @@ units = "mm"  # of the file's numbers; it replaces the unit that the file states
 # flange = "10 mm"  # width of a valve's flange around its hole, where its rim is not drawn
 layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, valves, measures, bars that pull, or ignored
 process = { "weak": ["tear"] }  # the process of some seams: names of layers, elements, roles (air, seam) or seams; all others are made by [seal]
-measure = { "tip": ["174 mm, 15 mm", "174 mm, 95 mm"] }  # what is measured after inflation: a name with points, X to the right and Y upwards, or with one element or seam of the drawing
+measure = { "tip": ["174 mm, 15 mm", "174 mm, 95 mm"] }  # what is measured after inflation: a name with points, X to the right and Y upwards, or with one element of the drawing
 "#;
 
 /// Notes that the profile `generic` lacks. A line that begins with `# ` is a default, with the meaning that `generic` gives where

@@ -122,11 +122,13 @@ const REQUIRED: &[Key] = &[
 /// Keys that take a quantity, which are tried elsewhere: a bed has two, star 1 is not rotated, a radius is half a diameter, a tip is no
 /// wider than the band, plates press drawings, either [seal] or [fabric] has the strength, and a tool that cuts has keys of its own. Those of a press are refused
 /// beside an iron: tests/design/pressed.rs sets them.
-const ELSEWHERE: [KeyPath; 12] = [
+const ELSEWHERE: [KeyPath; 14] = [
     key_path::cut::TEMPERATURE,
     key_path::cut::SPEED,
     key_path::cut::HEIGHT,
     key_path::cut::BLADE_OFFSET,
+    key_path::cut::POWER,
+    key_path::cut::FOCUS,
     key_path::mask::BED,
     key_path::stack::ROTATION,
     key_path::load::OBJECT_RADIUS,

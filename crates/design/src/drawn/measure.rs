@@ -1,6 +1,5 @@
 //! Measures: points, lines and curves of a drawing whose places after inflation are wanted; and lines that bars hold.
 
-use crate::drawn::DrawnPiece;
 use crate::{Refusal, RefusalCode};
 use artwork::{Artwork, Element, Figure};
 use geom::{Line, Path, Point, Segment};
@@ -110,15 +109,11 @@ pub(super) fn of_role(drawing: &Artwork, spec: &DrawingSpec, role: LayerRole) ->
         .collect()
 }
 
-/// The measures that `spec` defines, in its order: on points, or on the element of `drawing` or the seam of `pieces` with a name.
+/// The measures that `spec` defines, in its order: on points, or on an element of `drawing`.
 ///
 /// # Errors
-/// Every name that is not that of exactly one element or seam.
-pub(super) fn of_spec(
-    drawing: &Artwork,
-    spec: &DrawingSpec,
-    pieces: &[DrawnPiece],
-) -> Result<Vec<Measure>, Vec<Refusal>> {
+/// Every name that is not that of exactly one element.
+pub(super) fn of_spec(drawing: &Artwork, spec: &DrawingSpec) -> Result<Vec<Measure>, Vec<Refusal>> {
     let (mut measures, mut refusals) = (Vec::new(), Vec::new());
     for measure in &spec.measures {
         let form = match &measure.figure {
@@ -126,7 +121,7 @@ pub(super) fn of_spec(
                 let points: Vec<Point> = places.iter().map(|[x, y]| Point::new(x.0, y.0)).collect();
                 Ok(MeasureForm::of_points(&points))
             }
-            MeasuredFigure::Named(name) => named_form(name, drawing, pieces),
+            MeasuredFigure::Named(name) => named_form(name, drawing),
         };
         match form {
             Ok(form) => measures.push(Measure { name: measure.name.clone(), form }),
@@ -136,33 +131,23 @@ pub(super) fn of_spec(
     if refusals.is_empty() { Ok(measures) } else { Err(refusals) }
 }
 
-/// The form of the element of `drawing` called `name`, or else of the seam.
-fn named_form(name: &str, drawing: &Artwork, pieces: &[DrawnPiece]) -> Result<MeasureForm, Refusal> {
-    let seams = || pieces.iter().flat_map(|piece| &piece.shape.seams);
-    let of_name = |element: &&Element| element.names().any(|element_name| element_name == name);
-    let elements: Vec<&Element> = drawing.elements.iter().filter(of_name).collect();
+/// The form of the element of `drawing` called `name`.
+fn named_form(name: &str, drawing: &Artwork) -> Result<MeasureForm, Refusal> {
+    let elements: Vec<&Element> =
+        drawing.elements.iter().filter(|element| element.names().any(|word| word == name)).collect();
     let (fault, remedy) = match elements.as_slice() {
         [element] => return Ok(MeasureForm::new(&element.figure)),
         [] => {
-            if let Some(seam) = seams().find(|seam| seam.name == name) {
-                return Ok(MeasureForm::of_path(&seam.center_line));
-            }
-            let names = drawing.elements.iter().flat_map(Element::names);
-            let near = nearest(name, names.chain(seams().map(|seam| seam.name.as_str())));
-            let remedy = match near {
-                Some(near) => format!("did you mean {near:?}?"),
-                None => {
-                    "name an element of the drawing or a seam, or write points: [\"10 mm, 20 mm\"]".to_owned()
-                }
+            let remedy = match nearest(name, drawing.elements.iter().flat_map(Element::names)) {
+                Some(nearest_name) => format!("did you mean {nearest_name:?}?"),
+                None => "name an element, or write points: [\"10 mm, 20 mm\"]".to_owned(),
             };
             (format!("the drawing has nothing called {name:?}, which is to be measured"), remedy)
         }
         several => {
             let ids: Vec<&str> = several.iter().take(4).map(|element| element.id.as_str()).collect();
-            let fault = format!(
-                "{name:?}, which is to be measured, is the name of {}",
-                count_text(several.len(), "element")
-            );
+            let count = count_text(several.len(), "element");
+            let fault = format!("{name:?}, which is to be measured, is the name of {count}");
             (fault, format!("name one of them: {}", ids.join(", ")))
         }
     };

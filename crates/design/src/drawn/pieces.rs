@@ -58,11 +58,9 @@ impl DrawnPieces {
         }
         let [mut measures, bars] =
             [LayerRole::Measure, LayerRole::Pull].map(|role| measure::of_role(&artwork, drawing, role));
-        match measure::of_spec(&artwork, drawing, &pieces) {
+        match measure::of_spec(&artwork, drawing) {
             Ok(of_spec) => measures.extend(of_spec),
-            Err(unknown) if refusals.is_empty() => refusals.extend(unknown),
-            // A seam of that name may be in a piece that is refused.
-            Err(_) => {}
+            Err(unknown) => refusals.extend(unknown),
         }
         without_missing_ports(refusals).or_value(())?;
         let ramp = machine.process.ramp.0;

@@ -62,6 +62,8 @@ impl Field {
             key::cut::SPEED,
             key::cut::HEIGHT,
             key::cut::BLADE_OFFSET,
+            key::cut::POWER,
+            key::cut::FOCUS,
         ];
         // A press seals all at once: no prediction depends on how.
         let is_of_another_product = of_drawings.contains(&key)
@@ -316,6 +318,8 @@ mod tests {
             "cut.speed",
             "cut.height",
             "cut.blade_offset",
+            "cut.power",
+            "cut.focus",
             "sheet.copies",
             "press.temperature",
             "press.time",
