@@ -87,8 +87,9 @@ fn its_springs_press_as_predicted() {
     let pins = pins_of(&document, 1);
     // The corner's pin is at L sin(a) / sin(36 deg), where the tip opens by twice as much as a grows.
     let opposite_side = pins[0][0] * 36.0_f64.to_radians().sin();
-    let slope =
-        (distance(pins[0], pins[1]).powi(2) - opposite_side * opposite_side).sqrt() / 36.0_f64.to_radians().sin() / 2.0;
+    let slope = (distance(pins[0], pins[1]).powi(2) - opposite_side * opposite_side).sqrt()
+        / 36.0_f64.to_radians().sin()
+        / 2.0;
     assert!((torque / slope / force - 1.0).abs() < 1e-5, "{torque} {slope} {force}");
     let tendon = named(&document, "fixed", "star-1-corner-1");
     assert_eq!(tendon.children().filter(Node::is_element).count(), 9);
