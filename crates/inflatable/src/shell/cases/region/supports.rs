@@ -112,7 +112,3 @@ pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
     }
     supports
 }
-
-fn place(mesh: &Mesh, point: usize) -> Point {
-    Point::new(mesh.points[point][0], mesh.points[point][1])
-}
