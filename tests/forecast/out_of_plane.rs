@@ -1,9 +1,10 @@
 //! Drawings that leave their plane: the shape out of it, and measures in space against the exported mesh.
 
 use crate::measures::{Drawn, drawing};
+use stargrip_cam::forecast::drawn::chamber_prediction::PlaneAnswer;
 use stargrip_cam::forecast::drawn::measures::MeasurePrediction;
 use stargrip_cam::forecast::drawn::out_of_plane::SpaceQuantity;
-use stargrip_cam::forecast::drawn::prediction::{DrawnPrediction, PlaneAnswer};
+use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
 use stargrip_cam::forecast::drawn::text::text;
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, inflate_out_of_plane};
 use stargrip_cam::forecast::shell::Detail;

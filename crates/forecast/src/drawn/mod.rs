@@ -196,10 +196,11 @@ fn inflate_chamber(
     let Some(follow) = follow else { return Ok((region(case, fineness, watch)?, None)) };
     let inflated = watch.run_part([0.0, 0.5], |watch| region(case, fineness, watch))?;
     // Where the eigenvalue's mesh error leaves it open, energy that is released on each mesh decides.
-    let shape = if inflated.plane() != PlaneState::Stays {
-        watch.run_part([0.5, 1.0], |watch| follow(case, &inflated, watch))?
-    } else {
-        None
+    let shape = match inflated.plane() {
+        PlaneState::Stays => None,
+        PlaneState::Leaves | PlaneState::Unsure => {
+            watch.run_part([0.5, 1.0], |watch| follow(case, &inflated, watch))?
+        }
     };
     Ok((inflated, shape))
 }

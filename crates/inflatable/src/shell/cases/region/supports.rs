@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::cases::region::pressures::{PartialPressure, parts_of_pressure};
-use crate::shell::mesh::{Border, FlatChamber, Mesh, Meshed};
+use crate::shell::mesh::{Border, FlatChamber, Meshed};
 use geom::Point;
 
 /// The nodes at which both sheets are joined.
