@@ -103,7 +103,6 @@ impl Mesh {
         let symmetry = match sectors {
             0 => Symmetry::Sheets,
             1 => Symmetry::Mirror,
-            2 => Symmetry::Pair,
             count => Symmetry::Sectors(count),
         };
         let seams =
@@ -118,7 +117,6 @@ impl Mesh {
         let sectors = match symmetry {
             Symmetry::Sheets => 0,
             Symmetry::Mirror => 1,
-            Symmetry::Pair => 2,
             Symmetry::Sectors(count) => *count,
         };
         let seams: Vec<(&String, Contour)> =

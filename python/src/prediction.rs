@@ -8,6 +8,7 @@ use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded, StarQuestion};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::predict::PredictFault;
+use stargrip_cam::forecast::shell::sheet::ModelledSheet;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{ModelChoice, ProductKind, key};
@@ -106,7 +107,6 @@ fn question(
             radii: Vec::new(),
             detail: None,
             accuracy: None,
-            out_of_plane: false,
         });
     }
     let options =
@@ -126,6 +126,6 @@ fn answer(
         let fault = PredictFault::new(key::drawing::FILE, problem);
         return Err(Refused::Model(ShellRefusal::Fault(fault)));
     }
-    let (answer, sheet) = star_question.answer((&spec, &design), watch).map_err(Refused::Model)?;
-    Ok((answer, sheet.map(|sheet| Mesh { sheet })))
+    let (answer, shape) = star_question.answer((&spec, &design), watch).map_err(Refused::Model)?;
+    Ok((answer, shape.map(|shape| Mesh { sheet: ModelledSheet::of_design(&design, shape) })))
 }

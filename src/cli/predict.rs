@@ -25,7 +25,7 @@ use forecast::shell::star;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
 use forecast::warning::PredictionWarning;
-use inflatable::shell::cases::Watch;
+use inflatable::shell::cases::{InflatedShape, Watch};
 use spec::units::{Length, Percent};
 use spec::{Allowed, ModelChoice, Spec};
 
@@ -47,10 +47,6 @@ pub(super) struct Args {
     /// Also the force on round objects of these radii, at most 7: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
     radii: Option<Radii>,
-    /// Of a drawing: unless it stays in its plane, also compute the stable shape out of it, which takes several times as long; files
-    /// then have that shape.
-    #[arg(long, conflicts_with = "accuracy")]
-    out_of_plane: bool,
     #[command(flatten)]
     shell: ShellArgs,
     #[command(flatten)]
@@ -80,8 +76,6 @@ pub struct StarQuestion {
     pub detail: Option<Detail>,
     /// The largest accepted error, which selects model and fineness.
     pub accuracy: Option<Percent>,
-    /// Whether a drawing that leaves its plane is followed out of it.
-    pub out_of_plane: bool,
 }
 
 /// The prediction of a gripper.
@@ -141,13 +135,7 @@ impl Args {
     /// The question that the arguments describe.
     pub(super) fn question(&self) -> StarQuestion {
         let radii = self.radii.as_ref().map_or_else(Vec::new, |Radii(radii)| radii.clone());
-        StarQuestion {
-            model: self.model,
-            radii,
-            detail: self.shell.fineness,
-            accuracy: self.accuracy,
-            out_of_plane: self.out_of_plane,
-        }
+        StarQuestion { model: self.model, radii, detail: self.shell.fineness, accuracy: self.accuracy }
     }
 
     /// Refuses options about stars for a drawing, for which only the shell is a model.
@@ -160,15 +148,6 @@ impl Args {
             return Ok(());
         };
         Err(Failure::Usage(text.to_owned()))
-    }
-
-    /// Refuses the option about drawings for a star.
-    fn refuse_that_of_drawings(&self) -> Result<(), Failure> {
-        if self.out_of_plane {
-            let text = "--out-of-plane is for drawings: a star is computed in its plane; leave it out";
-            return Err(Failure::Usage(text.to_owned()));
-        }
-        Ok(())
     }
 }
 
@@ -191,7 +170,7 @@ impl StarQuestion {
         }
     }
 
-    /// The prediction of `design`, made from `spec`; with the inflated sheets if the shell is the model.
+    /// The prediction of `design`, made from `spec`; with the inflated sheet if the shell is the model.
     ///
     /// # Errors
     /// If the model has no answer, or is cancelled.
@@ -199,7 +178,7 @@ impl StarQuestion {
         &self,
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
-    ) -> Result<(GripperAnswer, Option<ModelledSheet>), ShellRefusal> {
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
         match self.accuracy {
             Some(accuracy) => self.within_error(accuracy, (spec, design), watch),
             None => self.by_model((spec, design), watch),
@@ -213,7 +192,7 @@ impl StarQuestion {
         accuracy: Percent,
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
-    ) -> Result<(GripperAnswer, Option<ModelledSheet>), ShellRefusal> {
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
         if spec.load.as_ref().is_none_or(|load| load.pressure.is_none()) {
             return Err(no_pressure());
         }
@@ -254,21 +233,16 @@ impl StarQuestion {
         &self,
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
-    ) -> Result<(GripperAnswer, Option<ModelledSheet>), ShellRefusal> {
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
         if let Some(pieces) = design.drawn_pieces() {
-            let detail = self.detail.unwrap_or(Detail::Coarse);
-            let inflation = if self.out_of_plane {
-                drawn::inflate_out_of_plane(spec, pieces, detail, watch)?
-            } else {
-                drawn::inflate(spec, pieces, detail, watch)?
-            };
-            let sheet = ModelledSheet::of_drawing(design, &inflation.shapes, &inflation.lower_shapes);
-            return Ok((GripperAnswer::Drawn(Box::new(inflation.prediction)), Some(sheet)));
+            let inflation = drawn::inflate(spec, pieces, self.detail.unwrap_or(Detail::Coarse), watch)?;
+            let shape = InflatedShape::joined(&inflation.shapes);
+            return Ok((GripperAnswer::Drawn(Box::new(inflation.prediction)), Some(shape)));
         }
-        let (prediction, sheet) = if spec.accuracy.model == ModelChoice::Shell {
+        let (prediction, shape) = if spec.accuracy.model == ModelChoice::Shell {
             let detail = self.detail.unwrap_or(Detail::Medium);
             let (prediction, shape) = star::predict(spec, design, &self.radii, detail, watch)?;
-            (prediction, Some(ModelledSheet::of_design(design, shape)))
+            (prediction, Some(shape))
         } else {
             let mut prediction = predict(spec, design).map_err(ShellRefusal::Fault)?;
             if !self.radii.is_empty() {
@@ -277,7 +251,7 @@ impl StarQuestion {
             }
             (prediction, None)
         };
-        Ok((GripperAnswer::Star(Box::new(prediction)), sheet))
+        Ok((GripperAnswer::Star(Box::new(prediction)), shape))
     }
 }
 
@@ -301,23 +275,20 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let list: Vec<String> = refusals.iter().map(|refusal| format!("  - {}", refusal.found)).collect();
         tell_under("predicted, but `check` refuses this design", &list.join("\n"));
     }
-    if design.drawn_pieces().is_none() {
-        args.refuse_that_of_drawings()?;
-    }
     let answer = |watch: &Watch<'_>| {
-        let (answer, sheet) =
+        let (answer, shape) =
             question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
+        let sheet = shape.map(|shape| ModelledSheet::of_design(&design, shape));
         Ok((answer.json(), answer.text(&spec, args.verbosity.verbose), sheet))
     };
     let inputs = if let Some(pieces) = design.drawn_pieces() {
         args.refuse_those_of_stars()?;
         format!(
-            "predict {spec:?} {:?} {:?} {:?} {:?} {} {}",
+            "predict {spec:?} {:?} {:?} {:?} {:?} {}",
             pieces.air(),
             pieces.inner(),
             pieces.holes(),
             question.accuracy,
-            question.out_of_plane,
             args.verbosity.verbose
         )
     } else if question.accuracy.is_some() || spec.accuracy.model == ModelChoice::Shell {

@@ -6,7 +6,6 @@ mod held_sizes;
 mod measures;
 mod objects;
 mod optimize;
-mod out_of_plane;
 mod outcome;
 mod page;
 mod prediction;

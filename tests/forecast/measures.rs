@@ -12,9 +12,9 @@ use stargrip_cam::spec::units::Length;
 use stargrip_cam::spec::{Machine, MeasuredFigure, Source, Spec, WrittenMeasure, read};
 
 /// A spec and the pieces of its drawing.
-pub(super) struct Drawn {
-    pub(super) spec: Spec,
-    pub(super) pieces: DrawnPieces,
+struct Drawn {
+    spec: Spec,
+    pieces: DrawnPieces,
 }
 
 /// Two pouches of 40 x 100 mm, 40 mm apart, and `measures`, as a drawing at `kilopascals`.
@@ -28,7 +28,7 @@ fn pouches(measures: &str, kilopascals: &str) -> Drawn {
 }
 
 /// A drawing on a page of 200 x 160 mm.
-pub(super) fn drawing(air: &str, ports: &str, measures: &str, kilopascals: &str) -> Drawn {
+fn drawing(air: &str, ports: &str, measures: &str, kilopascals: &str) -> Drawn {
     let layer = if measures.is_empty() { "" } else { "\"m\"" };
     let text = format!(
         "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"p\"]\nmeasure = [{layer}]\n\

@@ -633,9 +633,6 @@ class Chamber:
     def leaves_plane(self) -> Any:
         """Whether it may leave that plane: it leaves it, or the mesh error is too large to tell."""
     @property
-    def out_of_plane(self) -> dict[str, Any] | None:
-        """The stable shape out of that plane, if it was asked for and the chamber may leave the plane."""
-    @property
     def seams(self) -> list[dict[str, Any]] | None:
         """Seams of the chamber."""
     @property

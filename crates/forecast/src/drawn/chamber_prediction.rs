@@ -1,7 +1,6 @@
 //! The answer about one chamber of a drawn piece: flat sizes, and the shell's values in words and numbers.
 
 use crate::drawn::chambers::DrawnChamber;
-use crate::drawn::out_of_plane::OutOfPlanePrediction;
 use crate::drawn::plates::PlatesPrediction;
 use crate::drawn::seams::{SeamPrediction, SeamStrengths, seam_predictions};
 use crate::drawn::shapes::{ShapeRanges, averaged_pull, with_errors};
@@ -67,9 +66,6 @@ keyed! {
         pub plane: Option<PlaneAnswer>,
         /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
         pub leaves_plane: Option<bool>,
-        /// The stable shape out of that plane, if it was asked for and the chamber may leave the plane.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub out_of_plane: Option<OutOfPlanePrediction>,
         /// Seams of the chamber.
         pub seams: Option<Vec<SeamPrediction>>,
         /// Unknowns of each mesh, coarse to fine.
@@ -82,7 +78,7 @@ keyed! {
 kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
-    Object: ShapeRanges, SecondShape, PlatesPrediction, FirstOpening, OutOfPlanePrediction;
+    Object: ShapeRanges, SecondShape, PlatesPrediction, FirstOpening;
     List: Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
 }

@@ -4,7 +4,6 @@
 //! chamber lies best on the flat one; each quantity is computed on each mesh, and so has a mesh error of its own.
 
 use crate::drawn::chambers::DrawnChamber;
-use crate::drawn::out_of_plane::SpaceMeasure;
 use crate::interval::{Interval, hull};
 use crate::meshed::{MeshedValue, six, with_error};
 use crate::predict::PredictFault;
@@ -64,9 +63,6 @@ pub struct MeasurePrediction {
     /// Distance between the sheets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_mm: Option<MeasuredQuantity>,
-    /// The measure in space, where the shape out of the plane was computed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub out_of_plane: Option<SpaceMeasure>,
 }
 
 /// The quantities of a measure, in the order in which they are written.
@@ -134,10 +130,10 @@ fn angle_between(first: Vec2, second: Vec2) -> f64 {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PlacedMeasure {
     name: String,
-    pub(super) kinds: &'static [MeasuredKind],
+    kinds: &'static [MeasuredKind],
     /// Index of its chamber.
     pub(super) chamber: usize,
-    pub(super) points: Vec<Point>,
+    points: Vec<Point>,
     /// The first straight line of the chamber, if it is another one.
     reference: Option<ReferenceLine>,
     moved: f64,
@@ -175,7 +171,7 @@ impl PlacedMeasure {
     }
 
     /// The points, and then those of the reference line.
-    pub(super) fn all_points(&self) -> impl Iterator<Item = &Point> {
+    fn all_points(&self) -> impl Iterator<Item = &Point> {
         self.points.iter().chain(self.reference.iter().flat_map(|line| &line.ends))
     }
 

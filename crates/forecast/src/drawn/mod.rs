@@ -6,7 +6,6 @@
 pub mod chamber_prediction;
 pub mod chambers;
 pub mod measures;
-pub mod out_of_plane;
 pub mod plates;
 pub mod prediction;
 pub mod pressures;
@@ -28,10 +27,7 @@ use crate::shell::work::ShellWork;
 use crate::shell::{Detail, SHELL};
 use crate::warning::PredictionWarning;
 use design::{DrawnPiece, DrawnPieces};
-use inflatable::shell::cases::{
-    Fineness, FlatRegion, InflatedRegion, InflatedShape, OutOfPlane, PlaneState, ShellFault, Wrinkles, pull,
-    region,
-};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, ShellFault, Wrinkles, pull, region};
 use spec::units::{Length, Pressure};
 use spec::{Load, ModelChoice, Spec, key};
 
@@ -51,13 +47,11 @@ pub const HOW_BY_COMMANDS: &str =
 pub struct InflatedDrawing {
     /// In figures.
     pub prediction: DrawnPrediction,
-    /// Both sheets of each chamber in its plane on its finest mesh, in m and in the frame of the drawing, in the order of the chambers; empty without the
+    /// Both sheets of each chamber on its finest mesh, in m and in the frame of the drawing, in the order of the chambers; empty without the
     /// shell.
     pub surfaces: Vec<Surface>,
-    /// The upper sheets of the chambers, with stretch and tension; out of its plane of a chamber that was followed there.
+    /// The upper sheets of the chambers, with stretch and tension.
     pub shapes: Vec<InflatedShape>,
-    /// The lower sheets, if a chamber was followed out of its plane; else empty: they are images of the upper ones.
-    pub lower_shapes: Vec<InflatedShape>,
 }
 
 /// The prediction of `pieces`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
@@ -80,15 +74,10 @@ pub fn of_spec(
         });
     }
     let case = DrawnCase::new(spec, pieces)?;
-    Ok(InflatedDrawing {
-        prediction: flat(spec, pieces, &case),
-        surfaces: Vec::new(),
-        shapes: Vec::new(),
-        lower_shapes: Vec::new(),
-    })
+    Ok(InflatedDrawing { prediction: flat(spec, pieces, &case), surfaces: Vec::new(), shapes: Vec::new() })
 }
 
-/// `pieces`, made from `spec`, by the shell at the spec's pressure, in the plane of the drawing.
+/// `pieces`, made from `spec`, by the shell at the spec's pressure.
 ///
 /// # Errors
 /// If no pressure is given, the spec selects a model of stars, or the shell refuses a chamber or is cancelled.
@@ -98,48 +87,13 @@ pub fn inflate(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
-    inflate_by(spec, pieces, detail, None, watch)
-}
-
-/// As [`inflate`], and chambers that may leave the plane of the drawing are followed out of it.
-///
-/// # Errors
-/// As of [`inflate`], and if chambers lie between plates.
-pub fn inflate_out_of_plane(
-    spec: &Spec,
-    pieces: &DrawnPieces,
-    detail: Detail,
-    watch: &Watch<'_>,
-) -> Result<InflatedDrawing, ShellRefusal> {
-    if spec.load.as_ref().is_some_and(|load| load.plates.is_some()) {
-        let problem = "plates hold the shape between them: it is not computed out of its plane".to_owned();
-        let fault = PredictFault::new(key::load::PLATES, problem);
-        return Err(fault.with_remedy("leave out plates, or --out-of-plane").into());
-    }
-    inflate_by(spec, pieces, detail, Some(inflatable::shell::cases::out_of_plane), watch)
-}
-
-/// How chambers are followed out of their plane. As a function, so that programs that follow none do not contain it.
-type Follow = fn(&FlatRegion, &InflatedRegion, &Watch<'_>) -> Result<Option<OutOfPlane>, ShellFault>;
-
-/// `pieces` inflated under `watch`, and out of their plane if there is a way to `follow` them.
-///
-/// Chambers are computed one after the other, and each fills its answer and its measures. The pull at bars and what depends on all chambers
-/// comes last.
-fn inflate_by(
-    spec: &Spec,
-    pieces: &DrawnPieces,
-    detail: Detail,
-    follow: Option<Follow>,
-    watch: &Watch<'_>,
-) -> Result<InflatedDrawing, ShellRefusal> {
     let drawn_case = DrawnCase::new(spec, pieces)?;
     let DrawnCase { chambers, pressures, measures: placed, pull: placed_pull } = &drawn_case;
     let mut prediction = flat(spec, pieces, &drawn_case);
     let (_, pressure) = loaded(spec).ok_or_else(no_pressure)?;
-    refuse_large(&drawn_case, detail, follow.is_some(), watch)?;
-    let (mut surfaces, mut shapes, mut lower_shapes) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut is_weave_left_out, mut is_measured_on_folds, mut is_any_outside) = (false, false, false);
+    refuse_large(&drawn_case, detail, watch)?;
+    let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
+    let (mut is_weave_left_out, mut is_measured_on_folds) = (false, false);
     let strengths = SeamStrengths::new(spec, pieces);
     let count = chambers.len();
     let part_of_chambers = if placed_pull.is_some() { PULL_BEGINS } else { 1.0 };
@@ -149,32 +103,16 @@ fn inflate_by(
         let case = case_of(spec, chamber, &pressures[number], probes);
         #[expect(clippy::cast_precision_loss, reason = "few chambers")]
         let ends = [number, number + 1].map(|chambers| part_of_chambers * chambers as f64 / count as f64);
-        let fineness = chamber.fineness(detail);
-        let (inflated, shape_out_of_plane) = watch
-            .run_part(ends, |watch| inflate_chamber(&case, fineness, follow, watch))
+        let inflated = watch
+            .run_part(ends, |watch| region(&case, chamber.fineness(detail), watch))
             .map_err(|why| not_inflated(&why, spec, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles != Wrinkles::Resolved;
         is_measured_on_folds |= !case.probes.is_empty() && inflated.may_fold(&case);
         answer.fill(&inflated, pieces, *highest, &strengths);
         answer.scale_burst(pressure.0 / highest.0);
         measures::fill(placed, &mut prediction.measures, number, &inflated);
-        if follow.is_some() {
-            answer.fill_out_of_plane(shape_out_of_plane.as_ref());
-        }
-        if let Some(shape) = &shape_out_of_plane {
-            out_of_plane::fill(placed, &mut prediction.measures, number, shape);
-        }
         surfaces.push(inflated.surface);
-        is_any_outside |= shape_out_of_plane.is_some();
-        let [upper, lower] = match shape_out_of_plane {
-            Some(shape) => shape.sheets,
-            None => [inflated.shape.clone(), inflated.shape.image()],
-        };
-        shapes.push(upper);
-        lower_shapes.push(lower);
-    }
-    if !is_any_outside {
-        lower_shapes.clear();
+        shapes.push(inflated.shape);
     }
     prediction.pull = pulled(spec, &drawn_case, detail, watch)
         .map_err(|(number, why)| not_inflated(&why, spec, &prediction.chambers[number], count))?;
@@ -183,26 +121,7 @@ fn inflate_by(
     prediction.of_all(pressure);
     let folds = [is_measured_on_folds, is_weave_left_out];
     prediction.evidence.warnings.extend(warnings(&prediction, pieces, folds));
-    Ok(InflatedDrawing { prediction, surfaces, shapes, lower_shapes })
-}
-
-/// A chamber in its plane and, unless it stays there, out of it if there is a way to `follow` it.
-fn inflate_chamber(
-    case: &FlatRegion,
-    fineness: Fineness,
-    follow: Option<Follow>,
-    watch: &Watch<'_>,
-) -> Result<(InflatedRegion, Option<OutOfPlane>), ShellFault> {
-    let Some(follow) = follow else { return Ok((region(case, fineness, watch)?, None)) };
-    let inflated = watch.run_part([0.0, 0.5], |watch| region(case, fineness, watch))?;
-    // Where the eigenvalue's mesh error leaves it open, energy that is released on each mesh decides.
-    let shape = match inflated.plane() {
-        PlaneState::Stays => None,
-        PlaneState::Leaves | PlaneState::Unsure => {
-            watch.run_part([0.5, 1.0], |watch| follow(case, &inflated, watch))?
-        }
-    };
-    Ok((inflated, shape))
+    Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
 /// What the shell leaves out of `prediction`: whether measures depend on folds, and whether the weave does not count, say `folds` and the pieces.
@@ -285,18 +204,11 @@ fn seconds(unknowns: f64) -> f64 {
 }
 
 /// Tells `watch` the size of the computation before it begins, or refuses a large one.
-fn refuse_large(
-    case: &DrawnCase,
-    detail: Detail,
-    is_followed: bool,
-    watch: &Watch<'_>,
-) -> Result<(), PredictFault> {
-    // Each chamber has meshes of its own. That between bars is computed twice; out of its plane a chamber has the
-    // unknowns of both sheets.
-    let pulled = case.pull.iter().map(|pull| (&case.chambers[pull.chamber], 1.0));
-    let followed = case.chambers.iter().filter(|_| is_followed).map(|chamber| (chamber, 2.0));
-    let computed = case.chambers.iter().map(|chamber| (chamber, 1.0)).chain(pulled).chain(followed);
-    let sizes = computed.map(|(chamber, sheets)| sheets * chamber.region.unknowns(chamber.fineness(detail)));
+fn refuse_large(case: &DrawnCase, detail: Detail, watch: &Watch<'_>) -> Result<(), PredictFault> {
+    // Each chamber has meshes of its own, and that between bars is computed twice.
+    let pulled = case.pull.iter().map(|pull| &case.chambers[pull.chamber]);
+    let sizes =
+        case.chambers.iter().chain(pulled).map(|chamber| chamber.region.unknowns(chamber.fineness(detail)));
     let work = sizes.fold(ShellWork::default(), |work, unknowns| ShellWork {
         unknowns: work.unknowns + unknowns,
         seconds: work.seconds + seconds(unknowns),

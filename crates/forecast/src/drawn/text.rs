@@ -2,7 +2,6 @@
 
 use crate::drawn::chamber_prediction::{ChamberPrediction, SecondShape};
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
-use crate::drawn::out_of_plane::{OutOfPlanePrediction, SpaceMeasure, SpaceQuantity};
 use crate::drawn::prediction::DrawnPrediction;
 use crate::drawn::pressures::PortPressure;
 use crate::drawn::pull::PullPrediction;
@@ -88,11 +87,6 @@ fn of_measure(page: &mut String, measure: &MeasurePrediction) {
             measure.angle_to.as_ref().filter(|_| word == "angle").map(|name| format!(" to {name}"));
         line(page, &format!("{}, {word}{}", measure.measure, reference.unwrap_or_default()), value);
     }
-    for (word, unit, quantity) in measure.out_of_plane.iter().flat_map(SpaceMeasure::quantities) {
-        let SpaceQuantity { value, mesh_error, .. } = quantity;
-        let value = number(MeshedValue { value, mesh_error }, None, unit);
-        line(page, &format!("{}, {word} out of plane", measure.measure), value);
-    }
 }
 
 fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
@@ -134,24 +128,12 @@ fn of_chamber(page: &mut String, chamber: &ChamberPrediction, is_full: bool) {
         format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
     });
     line(page, "stays in its plane", plane_text);
-    if let Some(shape) = &chamber.out_of_plane {
-        of_shape_out_of_plane(page, shape, is_full);
-    }
     if !is_full {
         return;
     }
     let wrinkles = chamber.wrinkles.map_or(String::new(), |how| format!(", wrinkles {how}"));
     line(page, "bendability", chamber.bendability.map(|number| shown::rounded(number) + &wrinkles));
     line(page, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));
-}
-
-/// The shape out of the plane, or that it is unknown.
-fn of_shape_out_of_plane(page: &mut String, shape: &OutOfPlanePrediction, is_full: bool) {
-    let words = ["  energy released outside it", "  rise of its middle surface"];
-    for (word, (value, unit)) in words.iter().zip([(shape.less_energy_mJ, "mJ"), (shape.rise_mm, "mm")]) {
-        line(page, word, value.map_or_else(|| "unknown".to_owned(), |value| number(value, None, unit)));
-    }
-    line(page, "  unknowns of meshes", shape.unknowns.as_deref().filter(|_| is_full).map(listed));
 }
 
 /// Height, extents and volume of a second shape in words.

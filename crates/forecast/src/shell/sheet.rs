@@ -35,13 +35,6 @@ impl ModelledSheet {
         Self { seams: seams.collect(), symmetry, shape }
     }
 
-    /// The sheets of a drawing's chambers, made from `design`: the upper ones, and the lower ones if they are no images of these.
-    pub fn of_drawing(design: &Design, upper: &[InflatedShape], lower: &[InflatedShape]) -> Self {
-        let sheets: Vec<InflatedShape> = upper.iter().chain(lower).cloned().collect();
-        let sheet = Self::of_design(design, InflatedShape::joined(&sheets));
-        if lower.is_empty() { sheet } else { Self { symmetry: Symmetry::Pair, ..sheet } }
-    }
-
     /// The sheet `shape` of a V-actuator.
     pub fn of_actuator(shape: InflatedShape) -> Self {
         Self { shape, symmetry: Symmetry::Mirror, seams: Vec::new() }

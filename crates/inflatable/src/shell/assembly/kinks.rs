@@ -25,11 +25,6 @@ impl Kink {
         Self { corners, weights: slopes.map(|slope| root * slope) }
     }
 
-    /// The kink between the points `image` of its corners.
-    pub(crate) fn with_points(&self, image: &[usize]) -> Self {
-        Self { corners: self.corners.map(|corner| image[corner]), weights: self.weights }
-    }
-
     /// Second derivative of its energy by the same coordinate of two of its corners.
     pub(crate) fn stiffness(&self, first: usize, second: usize) -> f64 {
         self.weights[first] * self.weights[second]

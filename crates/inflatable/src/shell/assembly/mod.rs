@@ -4,7 +4,6 @@
 //! of it. An `Assembly` owns every large buffer: none is allocated in an iteration. Sums run in the order of triangles; those of the Hessian
 //! run over both halves of the triangles at the same time, and are then added, so that results are the same on any number of threads.
 
-mod both_sheets;
 mod kinks;
 mod local;
 mod numbering;
@@ -15,7 +14,6 @@ mod supports;
 mod tests;
 mod unknowns;
 
-pub(crate) use both_sheets::BothSheets;
 pub use sheet::{Compression, Sheet, State};
 pub use supports::{Plane, Supports};
 

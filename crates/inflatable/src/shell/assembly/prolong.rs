@@ -23,18 +23,10 @@ impl Assembly {
         bending::curvature(&piece.flat, alpha)
     }
 
-    /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order, where the
-    /// supports of `finer` hold them.
-    pub fn prolong(&mut self, state: &State, finer: &Self) -> State {
-        let mut fine = self.prolong_free(state, finer);
-        finer.hold(&mut fine);
-        fine
-    }
-
-    /// As [`Assembly::prolong`], without supports.
+    /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order.
     ///
     /// Middles lie off the edge by its bending, l^2 kappa/8; directors start at zero.
-    pub(crate) fn prolong_free(&mut self, state: &State, finer: &Self) -> State {
+    pub fn prolong(&mut self, state: &State, finer: &Self) -> State {
         let _ = self.energy(state);
         let mut fine = finer.sheet.flat();
         let first = state.points.len();
@@ -68,6 +60,7 @@ impl Assembly {
                 fine.points[middle] = add_scaled(fine.points[middle], part, place);
             }
         }
+        finer.hold(&mut fine);
         fine
     }
 }

@@ -174,7 +174,7 @@ pub fn actuator(
         let moments = bend.moments(solver, &equilibrium.state, angles);
         let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
         numbers[NUMBERS..][..moments.len()].copy_from_slice(&moments);
-        shape = InflatedShape::new(&case.tube, &mut solver.assembly, &equilibrium.state);
+        shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         Ok(numbers)
     })?;
     let [angle, volume, stiffness] = [values[0], values[1], values[2]];

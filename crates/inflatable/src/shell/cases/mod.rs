@@ -39,8 +39,8 @@ pub use margin::{Margin, MarginLaw};
 pub use objects::{Hysteresis, MOST_OBJECTS, Objects};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
-    FlatRegion, InflatedRegion, OutOfPlane, PartialPressure, PlaneState, PlateContact, Pull, PullAtStroke,
-    PulledRegion, RegionSeam, STROKES, SeamPull, Surface, Wrinkles, chambers, out_of_plane, pull, region,
+    FlatRegion, InflatedRegion, PartialPressure, PlaneState, PlateContact, Pull, PullAtStroke, PulledRegion,
+    RegionSeam, STROKES, SeamPull, Surface, Wrinkles, chambers, pull, region,
 };
 pub use sector::ModelledSector;
 pub use shape::InflatedShape;

@@ -1,8 +1,9 @@
 //! An inflated sheet to be looked at.
 
-use crate::shell::assembly::{Assembly, State};
+use crate::shell::assembly::State;
 use crate::shell::cases::tube::Tube;
-use crate::shell::mesh::{FieldFault, VtuField, vtu};
+use crate::shell::mesh::{FieldFault, Mesh, VtuField, vtu};
+use crate::shell::solver::Solver;
 
 /// The sheet that was modelled, on its finest mesh: the rest of the tube is its mirror images. SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,13 +23,12 @@ pub struct InflatedShape {
 }
 
 impl InflatedShape {
-    /// `state` of a sheet.
-    pub(crate) fn new(tube: &Tube, assembly: &mut Assembly, state: &State) -> Self {
+    /// `state` of `solver`.
+    pub(crate) fn new(tube: &Tube, solver: &mut Solver, mesh: &Mesh, state: &State) -> Self {
         let w = tube.width;
-        let kappa = assembly.curvatures(state);
-        let sheet = &assembly.sheet;
-        let triangles: Vec<[usize; 3]> = sheet.pieces.iter().map(|piece| piece.corners).collect();
-        let principal: Vec<[[f64; 2]; 2]> = (triangles.iter().enumerate())
+        let kappa = solver.assembly.curvatures(state);
+        let sheet = &solver.assembly.sheet;
+        let principal: Vec<[[f64; 2]; 2]> = (mesh.triangles.iter().enumerate())
             .map(|(triangle, corners)| {
                 let corners = corners.map(|corner| state.points[corner]);
                 sheet.stretched(triangle, corners).principal()
@@ -36,25 +36,11 @@ impl InflatedShape {
             .collect();
         Self {
             points: state.points.iter().map(|x| x.map(|x| x * w)).collect(),
-            flat: sheet.points.iter().map(|x| x.map(|x| x * w)).collect(),
-            triangles,
+            flat: mesh.points.iter().map(|x| x.map(|x| x * w)).collect(),
+            triangles: mesh.triangles.clone(),
             tension: principal.iter().map(|[tension, _]| tension.map(|t| t * tube.fabric.stretch)).collect(),
             stretch: principal.iter().map(|[_, stretch]| *stretch).collect(),
             curvature: kappa.into_iter().map(|kappa| curvatures(kappa).map(|k| k / w)).collect(),
-        }
-    }
-
-    /// The image in the plane z = 0, with normals upwards as those of the sheet.
-    #[must_use]
-    pub fn image(&self) -> Self {
-        Self {
-            points: self.points.iter().map(|[x, y, z]| [*x, *y, -z]).collect(),
-            curvature: self
-                .curvature
-                .iter()
-                .map(|curvatures| curvatures.map(|curvature| -curvature))
-                .collect(),
-            ..self.clone()
         }
     }
 

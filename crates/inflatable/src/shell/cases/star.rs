@@ -269,7 +269,7 @@ pub fn star_by_sizes(
         places = [tension, stretch, pull].map(|(_, at)| at);
         let [seal_tension, stretch, seal_pull] = [tension, stretch, pull].map(|(number, _)| number);
         let at_rest = measure(&modelled, solver, &meshed.mesh, equilibrium);
-        shape = InflatedShape::new(&case.tube, &mut solver.assembly, &equilibrium.state);
+        shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
         let former_contact = solver.contact.clone();
         let [forces, slips] = press(&case.tube, objects, (solver, post), equilibrium, beside)?;

@@ -10,8 +10,6 @@ use crate::shell::cases::shape::InflatedShape;
 pub enum Symmetry {
     /// Both sheets alone: a chamber of any outline.
     Sheets,
-    /// No symmetry: the shape has both sheets, the points and triangles of the lower one after as many of the upper one.
-    Pair,
     /// A mirror at y = 0: a V-actuator, of which one half was modelled.
     Mirror,
     /// This number of sectors around the z axis: a star, of which half a sector was modelled, from y = 0 to the ray at its end.
@@ -62,15 +60,14 @@ impl Symmetry {
     /// Number of sectors.
     fn sectors(self) -> u32 {
         match self {
-            Self::Sheets | Self::Pair | Self::Mirror => 1,
+            Self::Sheets | Self::Mirror => 1,
             Self::Sectors(count) => count.max(1),
         }
     }
 
     /// All images, the upper sheet first.
     fn images(self) -> Vec<Image> {
-        let mirrors: &[bool] =
-            if matches!(self, Self::Sheets | Self::Pair) { &[false] } else { &[false, true] };
+        let mirrors: &[bool] = if self == Self::Sheets { &[false] } else { &[false, true] };
         let mut images = Vec::new();
         for is_lower in [false, true] {
             for sector in 0..self.sectors() {
@@ -84,7 +81,7 @@ impl Symmetry {
     fn mirrors(self, [x, y]: [f64; 2], size: f64) -> [bool; 2] {
         let is_first = y.abs() <= ON_MIRROR * size;
         match self {
-            Self::Sheets | Self::Pair => [false, false],
+            Self::Sheets => [false, false],
             Self::Mirror => [is_first, false],
             Self::Sectors(_) => {
                 let (sine, cosine) = libm::sincos(PI / f64::from(self.sectors()));
@@ -121,21 +118,22 @@ impl Symmetry {
     }
 }
 
-/// Height above and below the middle of a point between two sealed ones, m: enough for files with single digits of a micrometre.
+/// Height above and below the plane of a point between two sealed ones, m: enough for files with single digits of a micrometre.
 const PARTED: f64 = 1e-6;
 
 impl WholeBody {
     /// Parts both sheets where they meet other than at the rims: along edges of the mesh from one sealed point to another, which have four
     /// triangles, and at welds and islands, whose points each sheet has for itself. Such an edge gets a point in its middle on each sheet.
-    /// `pairs` are points of the upper and of the lower sheet at one flat place.
-    fn part_sheets(&mut self, pairs: &[[usize; 2]]) {
+    fn part_sheets(&mut self) {
         self.part_edges();
-        for [upper, lower] in pairs {
-            let [[a, b, c], [d, e, f]] = [upper, lower].map(|point| self.points[*point]);
-            if (c - f).abs() < 2.0 * PARTED && libm::hypot(a - d, b - e) < PARTED {
-                let middle = f64::midpoint(c, f);
-                self.points[*upper][2] = middle + PARTED;
-                self.points[*lower][2] = middle - PARTED;
+        let upper_count = self.triangles.len() / 2;
+        for (number, corners) in self.triangles.iter().enumerate() {
+            let height = if number < upper_count { PARTED } else { -PARTED };
+            for point in corners.iter().filter(|point| self.sealed.binary_search(point).is_err()) {
+                let z = &mut self.points[*point][2];
+                if z.abs() < PARTED {
+                    *z = height;
+                }
             }
         }
     }
@@ -174,8 +172,8 @@ impl WholeBody {
 
     /// Adds the point between two sealed ones on one of the sheets; its number.
     fn add_middle(&mut self, [start, end]: [usize; 2], is_lower: bool) -> usize {
-        let [[x, y, z], [other_x, other_y, other_z]] = [start, end].map(|point| self.points[point]);
-        let height = f64::midpoint(z, other_z) + if is_lower { -PARTED } else { PARTED };
+        let [[x, y, _], [other_x, other_y, _]] = [start, end].map(|point| self.points[point]);
+        let height = if is_lower { -PARTED } else { PARTED };
         self.points.push([f64::midpoint(x, other_x), f64::midpoint(y, other_y), height]);
         let [[u, v], [other_u, other_v]] = [start, end].map(|point| self.flat[point]);
         self.flat.push([f64::midpoint(u, other_u), f64::midpoint(v, other_v)]);
@@ -193,9 +191,6 @@ impl InflatedShape {
     /// The whole body, closed. Every image of the sheet is added in turn. Points on a mirror and on a seal belong to several images and occur
     /// once: then neighbours share their edges, and each edge has two triangles.
     pub fn body(&self, symmetry: Symmetry) -> WholeBody {
-        if symmetry == Symmetry::Pair {
-            return self.pair();
-        }
         let shared_points = self.shared_points(symmetry);
         let mut body = WholeBody::default();
         let mut numbers: BTreeMap<(Image, usize), usize> = BTreeMap::new();
@@ -219,38 +214,7 @@ impl InflatedShape {
         let sealed = numbers.iter().filter(|((_, point), _)| shared_points[*point].is_sealed);
         body.sealed = sealed.map(|(_, number)| *number).collect();
         body.sealed.sort_unstable();
-        let pairs =
-            numbers.iter().filter(|((image, _), _)| image.is_lower).filter_map(|((image, point), lower)| {
-                Some([*numbers.get(&(Image { is_lower: false, ..*image }, *point))?, *lower])
-            });
-        body.part_sheets(&pairs.collect::<Vec<_>>());
-        body
-    }
-
-    /// The body of two sheets, each half of the points and triangles, sealed to each other at their rims.
-    fn pair(&self) -> WholeBody {
-        let (point_count, triangle_count) = (self.points.len() / 2, self.triangles.len() / 2);
-        let shared_points = self.shared_points(Symmetry::Pair);
-        let mut body = WholeBody {
-            points: self.points[..point_count].to_vec(),
-            flat: self.flat[..point_count].to_vec(),
-            triangles: self.triangles[..triangle_count].to_vec(),
-            images: (0..self.triangles.len()).collect(),
-            sealed: (0..point_count).filter(|point| shared_points[*point].is_sealed).collect(),
-        };
-        let mut lower: Vec<usize> = (0..point_count).collect();
-        for point in (0..point_count).filter(|point| !shared_points[*point].is_sealed) {
-            lower[point] = body.points.len();
-            body.points.push(self.points[point_count + point]);
-            body.flat.push(self.flat[point_count + point]);
-        }
-        let flipped = self.triangles[triangle_count..].iter();
-        body.triangles.extend(flipped.map(|corners| {
-            let [a, b, c] = corners.map(|corner| lower[corner - point_count]);
-            [a, c, b]
-        }));
-        let pairs = lower.iter().enumerate().filter(|(upper, lower)| upper != *lower);
-        body.part_sheets(&pairs.map(|(upper, lower)| [upper, *lower]).collect::<Vec<_>>());
+        body.part_sheets();
         body
     }
 
@@ -351,27 +315,6 @@ mod tests {
         assert!(edges.values().all(|count| *count == 2), "{edges:?}");
         assert_eq!(body.images, [0, 0, 1, 1, 0, 0, 1, 1]);
         assert_eq!(body.sealed, [0, 1, 2, 3]);
-    }
-
-    /// A sheet over a lower one, which is sealed to its rims, encloses less than with its image.
-    #[test]
-    fn two_sheets_are_sealed_to_each_other() {
-        let case = FlatStar::sharp(tube(0.03, 37e3), 5, 0.05, 30.0_f64.to_radians());
-        let fineness = Fineness { cells: 2.0, cuts: 2 };
-        let answer = star(&case, Objects::Radii(&[]), fineness, &Watch::default()).expect("a shell");
-        // Half a sector, sealed along its planes of symmetry, too.
-        let upper = InflatedShape {
-            points: answer.shape.points.iter().map(|[x, y, z]| [*x, *y, z + 1e-3]).collect(),
-            ..answer.shape.clone()
-        };
-        let lower = InflatedShape { points: answer.shape.points.clone(), ..answer.shape };
-        let body = InflatedShape::joined(&[upper.clone(), lower]).body(Symmetry::Pair);
-        let (volume, open) = measured(&body);
-        assert_eq!((open, body.triangles.len() % 2), (0, 0));
-        let mirrored = upper.body(Symmetry::Sheets);
-        assert_eq!(body.sealed.len(), mirrored.sealed.len());
-        assert_eq!(body.points.len(), mirrored.points.len());
-        assert!(volume > 0.0 && volume < measured(&mirrored).0);
     }
 
     #[test]

@@ -20,24 +20,14 @@ const CHANGE: f64 = 1e-5;
 impl Solver {
     /// The lowest eigenvalue of the Hessian of `state`: of twice the energy over the square of the displacement, summed over the flat area.
     /// `motions` take no energy and are left out. `None` if no shift makes the Hessian positive definite.
+    ///
+    /// By inverse iteration from a field without any symmetry, with the least shift by areas that allows a Cholesky factor.
     pub(crate) fn lowest_eigenvalue(
         &mut self,
         state: &State,
         pressure: f64,
         motions: &[NodeField],
     ) -> Option<f64> {
-        self.lowest_mode(state, pressure, motions).map(|(value, _)| value)
-    }
-
-    /// The lowest eigenvalue, as of [`Solver::lowest_eigenvalue`], with the displacement that belongs to it.
-    ///
-    /// By inverse iteration from a field without any symmetry, with the least shift by areas that allows a Cholesky factor.
-    pub(crate) fn lowest_mode(
-        &mut self,
-        state: &State,
-        pressure: f64,
-        motions: &[NodeField],
-    ) -> Option<(f64, NodeField)> {
         let _ = self.linearise(state, pressure);
         let masses = self.assembly.masses();
         let mut shifts = (0..MOST_SHIFTS).map(|k| LEAST_SHIFT * pressure * GROWTH.powi(k));
@@ -69,7 +59,7 @@ impl Solver {
                 break;
             }
         }
-        Some((value, field))
+        Some(value)
     }
 }
 

@@ -16,5 +16,5 @@ mod woven;
 
 pub use continuation::{Broken, Continuation, Equilibrium};
 pub use displacement_control::DisplacementControl;
-pub(crate) use eigenvalue::{NodeField, rigid_motions};
+pub(crate) use eigenvalue::rigid_motions;
 pub use newton::{Aim, Effort, NewtonResult, Solver, Stop};

@@ -1,7 +1,6 @@
 //! The inflated chamber in SI units.
 
-use crate::shell::assembly::{Compression, Sheet, State};
-use crate::shell::cases::actuator::Fineness;
+use crate::shell::assembly::{Compression, Sheet};
 use crate::shell::cases::refinement::Evidence;
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{Measured, NUMBERS};
@@ -134,19 +133,6 @@ pub struct InflatedRegion {
     pub second: Option<Box<Self>>,
     /// The evidence for these values.
     pub evidence: Evidence,
-    /// Its shapes on the meshes; `None` where it is a blend of two shapes, which is no equilibrium.
-    pub(super) equilibria: Option<Equilibria>,
-}
-
-/// A chamber's shapes on its last three meshes, coarse to fine, in units of the width of `tube`.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Equilibria {
-    /// The tube that was computed.
-    pub(super) tube: Tube,
-    /// The meshes.
-    pub(super) fineness: Fineness,
-    /// The upper sheet under the pressure of the tube.
-    pub(super) states: Vec<State>,
 }
 
 impl InflatedRegion {
@@ -192,7 +178,6 @@ pub(super) struct FamilyResults {
     pub(super) overlap: Option<[[f64; 2]; 2]>,
     pub(super) shape: InflatedShape,
     pub(super) surface: Surface,
-    pub(super) equilibria: Option<Equilibria>,
 }
 
 impl FamilyResults {
@@ -249,7 +234,6 @@ impl FamilyResults {
             energy: energy.scaled(2.0 * tube.energy()),
             second: None,
             evidence: self.evidence,
-            equilibria: self.equilibria,
         }
     }
 }

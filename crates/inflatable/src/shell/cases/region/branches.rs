@@ -81,7 +81,6 @@ pub(super) fn blended(smooth: &InflatedRegion, folded: &InflatedRegion, blend: B
         energy: value(smooth.energy, folded.energy),
         second: folded.second.as_ref().map(|second| Box::new(blended(smooth, second, blend))),
         evidence: smooth.evidence.join(&folded.evidence),
-        equilibria: None,
     }
 }
 

@@ -4,14 +4,15 @@ use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::{Fineness, UNKNOWNS_OF_TRIANGLE};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Family, LoadPath, Watch};
-use crate::shell::cases::region::answer::{Equilibria, FamilyResults, InflatedRegion, Wrinkles};
+use crate::shell::cases::region::answer::{FamilyResults, InflatedRegion, Wrinkles};
 use crate::shell::cases::region::branches::{Blend, blended, lower_of};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
 use crate::shell::cases::region::overlap;
+use crate::shell::cases::region::pressures::PartialPressure;
 use crate::shell::cases::region::probes;
-use crate::shell::cases::region::scaled::ScaledChamber;
 use crate::shell::cases::region::seams::{self, Station};
+use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
@@ -251,9 +252,16 @@ impl Run {
         // for the mesh error, pulls along the seams, and probed points. The finest mesh gives shape and surface.
         let Self { tube, wrinkles, approach, most_steps } = self;
         let width = tube.width;
-        let scaled = ScaledChamber::new(case, tube, wrinkles);
-        let (coarsest, curve_of) = scaled.chamber.mesh(fineness.cells)?;
-        let hold = |meshed: &Meshed, sheet: &mut Sheet| scaled.prepare(meshed, sheet);
+        let chamber = case.chamber.in_units(width);
+        let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
+        let partial: Vec<PartialPressure> = case.partial.iter().map(|part| part.in_units(width)).collect();
+        let hold = |meshed: &Meshed, sheet: &mut Sheet| {
+            let sealed = SealedNodes::new(&chamber, &partial, meshed);
+            let supports = supports::symmetric(meshed, &sealed, sheet);
+            wrinkles.prepare(sheet, &tube);
+            load_parts(&sealed, sheet, &tube);
+            supports
+        };
         let plate = case.plates.map(|gap| Obstacle::Plate { height: gap / (2.0 * width) });
         let family = Family {
             approach,
@@ -264,36 +272,38 @@ impl Run {
         let mut pulls: Vec<Vec<Station>> = Vec::new();
         let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
         let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
-        let mut states: Vec<State> = Vec::new();
         let mut last = (Measured::default(), InflatedShape::default(), Surface::default(), None);
         let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
-            let sealed = scaled.sealed(meshed);
+            let sealed = SealedNodes::new(&chamber, &partial, meshed);
             let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
             let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
             let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
-            let stations = seams::pulls(
-                &scaled.chamber,
-                case.band / width,
-                (meshed, &curve_of),
-                solver.assembly.forces(),
-            );
+            let stations =
+                seams::pulls(&chamber, case.band / width, (meshed, &curve_of), solver.assembly.forces());
             let mut numbers = measured.numbers;
             numbers[NUMBERS - 2] = equilibrium.rest.energy.total(equilibrium.pressure);
             numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
             pulls.push(stations);
             let positions = probes::positions(&meshed.mesh, &state, &probed_places);
             probed.push(positions.into_iter().map(|position| position.map(|x| x * width)).collect());
-            let shape = InflatedShape::new(&tube, &mut solver.assembly, &state);
+            let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
             let surface = Surface::new(&shape, &sealed);
             last = (measured, shape, surface, overlap::crossing(&meshed.mesh, &state.points));
-            states.push(equilibrium.state.clone());
             Ok(numbers)
         })?;
         let (measured, shape, surface, overlap) = last;
-        let equilibria = Some(Equilibria { tube, fineness, states });
-        let results =
-            FamilyResults { values, evidence, pulls, probed, measured, overlap, shape, surface, equilibria };
+        let results = FamilyResults { values, evidence, pulls, probed, measured, overlap, shape, surface };
         Ok(results.answer(case, &tube, wrinkles))
+    }
+}
+
+/// Puts its part of the pressure on each triangle. A sheet without pressure buckles at any compression.
+pub(super) fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
+    for (triangle, part) in sealed.parts.iter().enumerate().filter(|(_, part)| **part != 1.0) {
+        sheet.set_load(triangle, *part);
+        if *part == 0.0 {
+            sheet.set_law(triangle, Wrinkles::law(tube));
+        }
     }
 }
 

@@ -4,10 +4,9 @@
 //! to second order, and the two kinds of motion do not mix. Where both sheets are joined the first kind stays at z = 0, the second moves
 //! along z only. A plate that touches one sheet is met by its image, and resists both kinds alike. So the lowest eigenvalue of the whole is the lower of two of the same sheet with two kinds of supports.
 
-use crate::shell::assembly::{Sheet, State};
+use crate::shell::assembly::State;
 use crate::shell::cases::region::supports::{SealedNodes, antisymmetric};
-use crate::shell::contact::Contact;
-use crate::shell::solver::{NodeField, Solver, rigid_motions};
+use crate::shell::solver::{Solver, rigid_motions};
 
 /// The lowest eigenvalues of both kinds by p/W; not a number where the mesh is too large.
 pub(super) fn lowest(
@@ -16,24 +15,13 @@ pub(super) fn lowest(
     sealed: &SealedNodes,
 ) -> [f64; 2] {
     let sheet = &solver.assembly.sheet;
-    let plane_motions = rigid_motions(sheet, &state.points, &[0, 1, 5]);
-    let leaving = leaving_mode(sheet, solver.contact.clone(), state, pressure, sealed);
+    let (plane_motions, space_motions) =
+        (rigid_motions(sheet, &state.points, &[0, 1, 5]), rigid_motions(sheet, &state.points, &[2, 3, 4]));
+    let mut other = Solver::new(sheet.clone(), antisymmetric(sealed));
+    if let Some(other) = &mut other {
+        other.contact.clone_from(&solver.contact);
+    }
     let symmetric = solver.lowest_eigenvalue(state, pressure, &plane_motions);
-    let antisymmetric = leaving.map(|(value, _)| value);
+    let antisymmetric = other.and_then(|mut other| other.lowest_eigenvalue(state, pressure, &space_motions));
     [symmetric, antisymmetric].map(|value| value.map_or(f64::NAN, |value| value / pressure))
-}
-
-/// The lowest eigenvalue for leaving the plane, and how the upper sheet then moves. The lower sheet moves by the image of the opposite: by
-/// as much along z, and against it in the plane. `None` where the mesh is too large.
-pub(super) fn leaving_mode(
-    sheet: &Sheet,
-    contact: Option<Contact>,
-    state: &State,
-    pressure: f64,
-    sealed: &SealedNodes,
-) -> Option<(f64, NodeField)> {
-    let space_motions = rigid_motions(sheet, &state.points, &[2, 3, 4]);
-    let mut other = Solver::new(sheet.clone(), antisymmetric(sealed))?;
-    other.contact = contact;
-    other.lowest_mode(state, pressure, &space_motions)
 }

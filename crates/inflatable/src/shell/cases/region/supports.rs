@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::cases::region::pressures::{PartialPressure, parts_of_pressure};
-use crate::shell::mesh::{Border, FlatChamber, Meshed};
+use crate::shell::mesh::{Border, FlatChamber, Mesh, Meshed};
 use geom::Point;
 
 /// The nodes at which both sheets are joined.
@@ -54,53 +54,24 @@ pub(super) fn level(sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
 
 /// Holds the sealed nodes at z = 0 and prevents rigid motions in that plane; `sheet` turns freely along welds.
 pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
+    let mesh = &meshed.mesh;
     let mut supports = level(sealed, sheet);
-    if let Some(HeldPoints { start, other, axis_across, .. }) = HeldPoints::new(meshed) {
-        for (point, axis) in [(start, 0), (start, 1), (other, axis_across)] {
-            supports.fix(point, axis);
-        }
+    let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
+    let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
+    let Some(&first) = rim.first() else { return supports };
+    let farthest = |from: usize| {
+        let distance = |point: &&usize| place(mesh, **point).distance(place(mesh, from));
+        rim.iter().max_by(|a, b| distance(a).total_cmp(&distance(b))).copied().unwrap_or(from)
+    };
+    let start = farthest(first);
+    let other = farthest(start);
+    let chord = place(mesh, other) - place(mesh, start);
+    // The farthest point may come nearer along the axis that lies most along the line between both.
+    let axis_across = usize::from(chord.x.abs() > chord.y.abs());
+    for (point, axis) in [(start, 0), (start, 1), (other, axis_across)] {
+        supports.fix(point, axis);
     }
     supports
-}
-
-/// Prevents rigid motions in space of a chamber whose sheets have `count` points together, and nothing else.
-pub(super) fn in_space(meshed: &Meshed, count: usize) -> Supports {
-    let mut supports = Supports::free(count);
-    if let Some(HeldPoints { start, other, third, axis_across }) = HeldPoints::new(meshed) {
-        for (point, axis) in
-            [(start, 0), (start, 1), (start, 2), (other, axis_across), (other, 2), (third, 2)]
-        {
-            supports.fix(point, axis);
-        }
-    }
-    supports
-}
-
-/// Points of the rims that hold a chamber: two far from each other, and one far from the line through both.
-struct HeldPoints {
-    start: usize,
-    other: usize,
-    third: usize,
-    /// The axis that lies most across the line. The second point may come nearer along the other one.
-    axis_across: usize,
-}
-
-impl HeldPoints {
-    fn new(meshed: &Meshed) -> Option<Self> {
-        let mesh = &meshed.mesh;
-        let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
-        let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
-        let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);
-        let &first = rim.first()?;
-        let farthest = |distance: &dyn Fn(usize) -> f64| {
-            rim.iter().copied().max_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(first)
-        };
-        let start = farthest(&|point| place(point).distance(place(first)));
-        let other = farthest(&|point| place(point).distance(place(start)));
-        let chord = place(other) - place(start);
-        let third = farthest(&|point| chord.cross(place(point) - place(start)).abs());
-        Some(Self { start, other, third, axis_across: usize::from(chord.x.abs() > chord.y.abs()) })
-    }
 }
 
 /// Lets the sealed nodes move along z only: the remaining symmetry of sheets that move to the same side.
@@ -111,4 +82,8 @@ pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
         supports.fix(point, 1);
     }
     supports
+}
+
+fn place(mesh: &Mesh, point: usize) -> Point {
+    Point::new(mesh.points[point][0], mesh.points[point][1])
 }
