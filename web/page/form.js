@@ -18,8 +18,8 @@ const PRODUCTS = {
 const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", press: "Heat press", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
 /** The sections that have a place here; others of the schema come behind them. */
 const PLACED = Object.values(PRODUCTS).flatMap(({ groups }) => groups);
-/** The profile among the values: whatever is no press has an iron, the machine of which has a choice of its own above. */
-const SEALED_BY = { words: "sealed by", choices: [["", "iron"], ["press", "heat press"]] };
+/** The profile among the values: whatever is no press has an iron or a laser, the machine of which has a choice of its own above. */
+const SEALED_BY = { words: "sealed by", choices: [["", "iron or laser"], ["press", "heat press"]] };
 
 export class Form {
     #schema;
