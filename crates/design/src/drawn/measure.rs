@@ -36,24 +36,10 @@ pub enum MeasureForm {
 impl MeasureForm {
     /// The form of `figure`.
     fn new(figure: &Figure) -> Self {
-        match figure {
-            Figure::Point(point) => Self::Point(*point),
-            Figure::Path(path) => Self::of_path(path),
-        }
-    }
-
-    /// The form of these `points`, which are at least one.
-    fn of_points(points: &[Point]) -> Self {
-        match points {
-            [point] => Self::Point(*point),
-            [start, end] => Self::Line([*start, *end]),
-            [start, corner, end] => Self::Corner([*start, *corner, *end]),
-            _ => Self::Curve(points.to_vec()),
-        }
-    }
-
-    /// The form of `path`.
-    fn of_path(path: &Path) -> Self {
+        let path = match figure {
+            Figure::Point(point) => return Self::Point(*point),
+            Figure::Path(path) => path,
+        };
         let (Some(start), Some(end)) = (path.start(), path.end()) else {
             return Self::Point(path.bounds().center());
         };
@@ -67,6 +53,16 @@ impl MeasureForm {
                 let step = path.length() / f64::from(CURVE_POINTS - 1);
                 Self::Curve((0..CURVE_POINTS).filter_map(|k| path.point_at(f64::from(k) * step)).collect())
             }
+        }
+    }
+
+    /// The form of these `points`, which are at least one.
+    fn of_points(points: &[Point]) -> Self {
+        match points {
+            [point] => Self::Point(*point),
+            [start, end] => Self::Line([*start, *end]),
+            [start, corner, end] => Self::Corner([*start, *corner, *end]),
+            _ => Self::Curve(points.to_vec()),
         }
     }
 
