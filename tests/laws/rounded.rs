@@ -167,3 +167,21 @@ fn a_weld_may_end_on_a_corner_of_the_fabric() {
         assert_eq!(sealing.shape.topology().leaks, [], "{count}");
     }
 }
+
+/// A closed seam that is hardly more than a line is refused with a width below the one that is allowed, however it is turned.
+#[test]
+fn a_closed_seam_is_refused_by_the_width_of_its_loop() {
+    for turn in [0.0, 0.8] {
+        let (way, middle) = (Vec2::unit(turn), p(50.0, 30.0));
+        let corners = [(-5.0, -0.015), (5.0, -0.015), (5.0, 0.015), (-5.0, 0.015)]
+            .map(|(x, y)| middle + way * x + way.perp() * y);
+        let sketch = Sketch {
+            seams: vec![drawn("w", polygon(&corners))],
+            ..sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], vec![port(0.0, 30.0)])
+        };
+        let faults = sealed_shape(&sketch, &RULES).expect_err("too narrow");
+        // Four times 10 x 0.03 mm^2 by 20.06 mm.
+        let width = faults.iter().find(|fault| fault.code == ShapeCode::NoRoom).map(|fault| fault.found);
+        assert!(width.is_some_and(|width| (width - 0.05982).abs() < 1e-5), "{turn}: {faults:#?}");
+    }
+}

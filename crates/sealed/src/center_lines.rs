@@ -11,9 +11,14 @@ use geom::{BoxIndex, Path, Point, Segment, SegmentIndex};
 /// Least mean width of the loop of a closed seam, mm: the turns of a smaller one are too short for a program to follow one after the other.
 pub(crate) const NARROWEST_LOOP: f64 = 0.08;
 
+/// Mean width of the loop along `path`, mm: four times its area by its length, which is the diameter of a circle.
+pub(crate) fn loop_width(path: &Path) -> f64 {
+    4.0 * path.area().abs() / path.length()
+}
+
 /// Whether a closed seam along `path` would be a point rather than a loop.
 pub(crate) fn is_point(path: &Path) -> bool {
-    4.0 * path.area().abs() < NARROWEST_LOOP * path.length()
+    loop_width(path) < NARROWEST_LOOP
 }
 
 /// The centre lines of a band along an edge.

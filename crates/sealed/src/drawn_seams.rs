@@ -1,7 +1,7 @@
 //! Seams that are drawn as centre lines: closed ones are edges of the air, open ones walls and welds.
 
 use crate::bands::{Band, BandKind, Bands, FollowedEdge, opened_bands};
-use crate::center_lines::{NARROWEST_LOOP, is_point};
+use crate::center_lines::{NARROWEST_LOOP, is_point, loop_width};
 use crate::fault::{Noted, Quoted, SealingNotes, ShapeCode, ShapeFault, named};
 use crate::mended::{MendedCurves, NamedPath};
 use crate::network::NetworkEdge;
@@ -87,12 +87,11 @@ pub(crate) fn with_seams(
 
 /// The fault of a closed seam that is hardly larger than a point.
 fn point_seam(seam: &ClosedSeam) -> ShapeFault {
-    let bounds = seam.path.bounds();
-    let size = bounds.width().min(bounds.height());
-    let finding = format!("the closed seam {} is only {size:.4} mm wide", Quoted(&seam.names));
+    let width = loop_width(&seam.path);
+    let finding = format!("the closed seam {} is only {width:.4} mm wide on average", Quoted(&seam.names));
     let remedy = format!("make it at least {NARROWEST_LOOP} mm wide, or draw an open weld in its place");
-    let fault = ShapeFault::new(ShapeCode::NoRoom, bounds.center(), finding, remedy);
-    ShapeFault { names: seam.names.clone(), found: size, allowed: NARROWEST_LOOP, ..fault }
+    let fault = ShapeFault::new(ShapeCode::NoRoom, seam.path.bounds().center(), finding, remedy);
+    ShapeFault { names: seam.names.clone(), found: width, allowed: NARROWEST_LOOP, ..fault }
 }
 
 /// The closed seams with the air on their left: `edges` and seams around one tell on which side that is.
