@@ -1,7 +1,8 @@
 //! Drawn chambers under pressure: the shell on the flat regions themselves.
 //!
-//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with [`chamber_prediction`] for each of them, with ranges where mesh errors alone do not
-//! bound the shape, [`text`] formats it. No hinge model covers a drawn shape, so without the shell only flat quantities are predicted.
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`chamber_prediction`] that about one region, with ranges
+//! where mesh errors alone do not bound the shape, and [`text`] formats both. No hinge model covers a drawn shape, so without the shell only
+//! flat quantities are predicted.
 
 pub mod chamber_prediction;
 pub mod chambers;
