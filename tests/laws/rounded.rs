@@ -92,6 +92,8 @@ fn a_spot_of_one_band_has_no_room() {
         let point = Sketch { seams: vec![drawn("w", circle(60.0, 30.0, diameter / 2.0 - 1.0))], ..pillow };
         assert_eq!(codes(&point), [ShapeCode::NoRoom], "a seam of {} mm", diameter - 2.0);
     }
+    let air = vec![("r", rectangle(0.0, 0.0, 100.0, 60.0)), ("i", spot(2.07, 4, true))];
+    assert!(sealed_shape(&sketch(air, vec![port(0.0, 30.0)]), &RULES).is_ok(), "0.07 mm more are enough");
 }
 
 /// A weld whose points are rounded to 0.01 mm is one, with steps of 0.012 mm too.
